@@ -15,7 +15,6 @@
 #include "methods/model/case_budget_model.h"
 #include "methods/model/method_words.h"
 #include "methods/validation_view.h"
-#include "page/scene_names.h"
 #include "pictures/file_dialogs.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
@@ -235,8 +234,7 @@ void MethodsPage::showBudget() {
     const bool hasResults = budgetTable_->rowCount() > 0;
     budgetTable_->setVisible(hasResults);
     const CaseFile* file = hasResults ? &budget_->open()->file : nullptr;
-    const QString scene =
-        file != nullptr ? sceneTitle(QString::fromStdString(file->scene)) : QString();
+    const QString scene = file != nullptr ? SceneModel::titleOf(file->scene) : QString();
     showOrHide(
         caseTitle_,
         file == nullptr || file->title.empty()

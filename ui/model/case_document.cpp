@@ -1,6 +1,5 @@
 #include "model/case_document.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -12,7 +11,6 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "case-file/text_size.h"
-#include "model/case_sources.h"
 #include "model/enough_memory.h"
 #include "model/open_case.h"
 #include "model/recovery.h"
@@ -164,14 +162,10 @@ QString sourceTrouble(const QString& path) {
     for (const CaseDocument* document : documents()) {
         const QString& own = document->path();
         if (!own.isEmpty() && is_same_file(fsPath(own), fsPath(path))) {
-            return QCoreApplication::translate("ravnoves::CaseDocument",
-                                               "%1 is an open case; choose another file.")
-                .arg(path);
+            return CaseDocument::tr("%1 is an open case; choose another file.").arg(path);
         }
         if (document->model()->hasCaseFile() && document->names(path)) {
-            return QCoreApplication::translate(
-                       "ravnoves::CaseDocument",
-                       "%1 is a file that an open case reads; choose another file.")
+            return CaseDocument::tr("%1 is a file that an open case reads; choose another file.")
                 .arg(path);
         }
     }

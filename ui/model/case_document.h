@@ -18,6 +18,10 @@ struct CaseFile;
 class InputError;
 struct RecoveredCase;
 
+/// Why nothing but a case may be written to this file: it is an open case, or one that an open
+/// case reads. Empty where it is neither.
+QString sourceTrouble(const QString& path);
+
 /// What a document asks its user. The window shows it; a test answers it.
 struct DocumentDialogs {
     enum class Answer { Save, Discard, Stay };

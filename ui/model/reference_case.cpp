@@ -1,9 +1,9 @@
 #include "model/reference_case.h"
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
-#include "model/variant_files.h"
 
 namespace ravnoves {
 
@@ -39,7 +39,7 @@ void ReferenceCase::follow() {
                  {&SceneModel::changed, &SceneModel::viewChanged, &SceneModel::shownChanged}) {
                 connect(model_.get(), signal, this, &ReferenceCase::changed);
             }
-            if (const QString files = changedFilesText(*present_, place); !files.isEmpty()) {
+            if (const QString files = present_->changedFilesText(place); !files.isEmpty()) {
                 Q_EMIT said(tr("Reference %1: %2").arg(name_, files));
             }
         }

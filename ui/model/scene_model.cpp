@@ -5,14 +5,19 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/default_inputs.h"
 #include "model/reference_case.h"
 #include "numerics/demand.h"
+#include "scenes/scenes.h"
 #include "text/field_names.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/plain_title.h"
 
 namespace ravnoves {
+
+QString SceneModel::titleOf(const std::string& scene) {
+    return shownText(scene_solver(scene).title);
+}
 
 ReferenceCase& SceneModel::referenceCase() {
     if (referenceCase_ == nullptr) {
@@ -142,7 +147,7 @@ CaseFile SceneModel::caseFile() const {
         for (const auto& [pointer, spread] : file.study["vary"].items()) {
             varied.push_back(pointer);
         }
-        giveDefaults(*this, file.input, varied);
+        giveDefaults(file.input, varied);
     }
     for (const Variant& variant : variants_.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
@@ -151,6 +156,22 @@ CaseFile SceneModel::caseFile() const {
         file.reference = variants_.list.at(variants_.reference).name.toStdString();
     }
     return file;
+}
+
+void SceneModel::giveDefaults(Json& input, const std::vector<std::string>& pointers) const {
+    for (const std::string& pointer : pointers) {
+        if (!pointer.starts_with('/') || input.contains(Json::json_pointer(pointer))) {
+            continue;
+        }
+        const Json::json_pointer place(pointer);
+        const auto field = fields(pointer);
+        // An object that is not there is no default: giving it would change the case.
+        if (!field.empty() && std::holds_alternative<double>(field.front().value) &&
+            input.contains(place.parent_pointer()) &&
+            input.at(place.parent_pointer()).is_object()) {
+            input[place] = std::get<double>(field.front().value);
+        }
+    }
 }
 
 QString SceneModel::explain(const InputError& error) const {

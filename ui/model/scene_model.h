@@ -52,6 +52,9 @@ class SceneModel : public QObject {
 
     /// The scene's word in case files.
     virtual QString sceneName() const = 0;
+    /// In the window, of a scene that has a case file.
+    static QString titleOf(const std::string& scene);
+    QString sceneTitle() const { return titleOf(sceneName().toStdString()); }
     /// False for a page whose state is no case: there is no file.
     virtual bool hasCaseFile() const { return true; }
     /// The case's present "input" object.
@@ -65,6 +68,9 @@ class SceneModel : public QObject {
     virtual void takePlace(const Json& /*place*/) {}
     /// The present case: scene, title, notes, input and kept parts.
     CaseFile caseFile() const;
+    /// Writes defaults into the model's input for numbers at these pointers below "input", so that
+    /// they can be varied. Given values are kept, and numbers without a default are not added.
+    void giveDefaults(Json& input, const std::vector<std::string>& pointers) const;
     /// Adopts these parts of a case as one step of the history. A fault leaves all unchanged.
     /// @param named  the input of the preset or example with this title, which follows that engine;
     ///               null: it is the user's
@@ -174,6 +180,9 @@ class SceneModel : public QObject {
     virtual QString variantTrouble(int /*place*/) const { return {}; }
     /// The variant's input as the model would write it; a rejected one unchanged.
     virtual Json variantInput(int place) const;
+    /// Which files a variant is of that have changed since it was kept, as a sentence; empty where
+    /// none has.
+    QString changedFilesText(int variant) const;
 
     /// The scattered inputs and the watched results: "study" of the case file as JSON text; empty
     /// without one. It may be rejected.
@@ -189,6 +198,7 @@ class SceneModel : public QObject {
     /// every step: undo takes it back first, wherever it is.
     void noteRejected(QObject* where, bool isRejected);
     bool hasRejected() const { return !rejectedIn_.isEmpty(); }
+    const QList<QObject*>& rejectedIn() const { return rejectedIn_; }
 
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }

@@ -9,7 +9,6 @@
 #include "case-file/json.h"
 #include "model/input_differences.h"
 #include "model/scene_model.h"
-#include "model/variant_files.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 
@@ -143,7 +142,7 @@ VariantResults variantResults(const SceneModel& model) {
     for (int i = 0; i < model.variants().size(); ++i) {
         const QString name = model.variants().at(i).name;
         add(name, model.variantInput(i));
-        if (const QString changed = changedFilesText(model, i); !changed.isEmpty()) {
+        if (const QString changed = model.changedFilesText(i); !changed.isEmpty()) {
             all.troubles << name + QStringLiteral(": ") + changed;
         }
     }

@@ -7,6 +7,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
+#include "scenes/case_sources.h"
 
 namespace ravnoves {
 
@@ -92,6 +93,18 @@ void SceneModel::removeVariant(int place) {
         --next.reference;
     }
     changeVariants(tr("Delete variant %1").arg(name), next);
+}
+
+QString SceneModel::changedFilesText(int variant) const {
+    QStringList names;
+    for (const std::string& name :
+         changed_files(parse_json(variants_.list.at(variant).input), context_)) {
+        names << QString::fromStdString(name);
+    }
+    return names.isEmpty()
+               ? QString()
+               : tr("%1 has changed since this variant was kept: its results use the present file.")
+                     .arg(names.join(QStringLiteral(", ")));
 }
 
 Json SceneModel::variantInput(int place) const {

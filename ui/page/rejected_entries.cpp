@@ -18,36 +18,23 @@ QString said(const char* text) {
     return QCoreApplication::translate("ravnoves::RejectedEntries", text);
 }
 
-const QWidget* wholePage(const QWidget* part) {
+QStringList rejectedOf(const QWidget* part, bool ofResultAlone) {
     while (qobject_cast<const ScenePage*>(part) == nullptr && part->parentWidget() != nullptr) {
         part = part->parentWidget();
     }
-    return part;
-}
-
-}  // namespace
-
-QList<EntryField*> entriesOfPage(const QWidget* part) {
-    return wholePage(part)->findChildren<EntryField*>();
-}
-
-namespace {
-
-void addTrouble(const TableEditor& table, QStringList& rejected) {
-    if (!table.trouble().isEmpty()) {
-        rejected << table.view()->accessibleName() + QStringLiteral(": ") + table.trouble();
-    }
-}
-
-QStringList rejectedOf(const QWidget* part, bool ofResultAlone) {
     QStringList rejected;
-    for (const EntryField* field : entriesOfPage(part)) {
+    for (const EntryField* field : part->findChildren<EntryField*>()) {
         if (!field->trouble().isEmpty() && (field->isOfResult() || !ofResultAlone)) {
             rejected << field->accessibleName() + QStringLiteral(": ") + field->trouble();
         }
     }
-    for (const TableEditor* table : wholePage(part)->findChildren<TableEditor*>()) {
-        addTrouble(*table, rejected);
+    const auto* model = part->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly);
+    for (QObject* each : model != nullptr ? model->rejectedIn() : QList<QObject*>()) {
+        const auto* table = qobject_cast<TableEditor*>(each);
+        // One of the tolerances is in a window beside.
+        if (table != nullptr && (part->isAncestorOf(table) || !ofResultAlone)) {
+            rejected << table->view()->accessibleName() + QStringLiteral(": ") + table->trouble();
+        }
     }
     return rejected;
 }
@@ -55,15 +42,7 @@ QStringList rejectedOf(const QWidget* part, bool ofResultAlone) {
 }  // namespace
 
 QStringList rejectedEntries(const QWidget* part) {
-    QStringList rejected = rejectedOf(part, false);
-    if (const auto* page = qobject_cast<const ScenePage*>(wholePage(part))) {
-        for (const QPointer<TableEditor>& table : page->tablesBeside()) {
-            if (table) {
-                addTrouble(*table, rejected);
-            }
-        }
-    }
-    return rejected;
+    return rejectedOf(part, false);
 }
 
 QStringList rejectedInputs(const QWidget* part) {

@@ -6,11 +6,6 @@ class QWidget;
 
 namespace ravnoves {
 
-class EntryField;
-
-/// The entries of the page that a widget is part of, whatever their tab.
-QList<EntryField*> entriesOfPage(const QWidget* part);
-
 /// Rejected texts in the part's fields and in the tables of the page and of its tolerances: "Crank
 /// radius r, mm: The value must be greater than 0 mm."
 QStringList rejectedEntries(const QWidget* part);

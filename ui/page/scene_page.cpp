@@ -12,7 +12,6 @@
 #include "pictures/wheel_guard.h"
 #include "plot/plot_view.h"
 #include "widgets/mnemonics.h"
-#include "widgets/table_editor.h"
 
 namespace ravnoves {
 
@@ -50,10 +49,6 @@ void ScenePage::followDrags(SceneModel* model) {
             plot->fitAxes();
         }
     });
-}
-
-void ScenePage::addTable(TableEditor* table) {
-    tables_ << table;
 }
 
 QString ScenePage::resultsAsText() const {

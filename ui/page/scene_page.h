@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QList>
-#include <QPointer>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -12,8 +11,6 @@
 #include "model/scene_model.h"
 
 namespace ravnoves {
-
-class TableEditor;
 
 /// One page of the program: thin widgets over a model.
 class ScenePage : public QWidget {
@@ -37,9 +34,6 @@ class ScenePage : public QWidget {
     bool isBusy() const;
     /// Something beside the page may be computed for it.
     void addBusy(std::function<bool()> isBusy) { busy_.push_back(std::move(isBusy)); }
-    /// Rejected texts in a table of another window are treated like those here.
-    void addTable(TableEditor* table);
-    const QList<QPointer<TableEditor>>& tablesBeside() const { return tables_; }
     /// Asks what to do with unsaved changes where the page keeps them in a place of its own rather
     /// than in case files. @return false where the user wants to stay; nothing: the window asks
     virtual std::optional<bool> askToSave() { return std::nullopt; }
@@ -96,7 +90,6 @@ class ScenePage : public QWidget {
 
     ShowOther showOther_;
     std::vector<std::function<bool()>> busy_;
-    QList<QPointer<TableEditor>> tables_;
 };
 
 }  // namespace ravnoves

@@ -9,7 +9,7 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "model/case_sources.h"
+#include "model/case_document.h"
 #include "text/plain_title.h"
 
 namespace ravnoves {

@@ -10,10 +10,8 @@
 #include "bibliography/bibliography.h"
 #include "case-file/json.h"
 #include "model/case_document.h"
-#include "model/case_sources.h"
 #include "model/input_differences.h"
 #include "model/variant_results.h"
-#include "page/scene_names.h"
 #include "page/scene_page.h"
 #include "report/case_parts.h"
 #include "report/input_tables.h"
@@ -86,7 +84,7 @@ void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
     const auto row = [&](const QString& name, const QString& value) {
         table.rows << QStringList{name.toHtmlEscaped(), value.toHtmlEscaped()};
     };
-    row(ReportWords::tr("Module"), sceneTitle(model.sceneName()));
+    row(ReportWords::tr("Module"), model.sceneTitle());
     if (!document.path().isEmpty()) {
         row(ReportWords::tr("Case file"), QFileInfo(document.path()).fileName());
     }
@@ -233,10 +231,9 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
     report.date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     report.language = currentLanguage();
     report.paper = choice.paper;
-    report.title = model.title().isEmpty() ? sceneTitle(model.sceneName())
-                                           : shortened(model.titleShown().simplified());
-    report.subtitle =
-        ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
+    report.title =
+        model.title().isEmpty() ? model.sceneTitle() : shortened(model.titleShown().simplified());
+    report.subtitle = ReportWords::tr("Report of a calculation: %1").arg(model.sceneTitle());
     const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
     auto [answer, groups] = caseParts(page, ofParts);
     addAnswer(report, model, answer);

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "model/scene_model.h"
-#include "page/scene_names.h"
 #include "text/language.h"
 #include "workshop/model/job_desk.h"
 
@@ -24,7 +23,7 @@ QString lineOf(const RecoveredCase& each) {
     QStringList names{SceneModel::titleText(QString::fromStdString(each.content.title))};
     names << JobDesk::wordsOf(each.content);
     names.removeAll(QString());
-    const QString scene = sceneTitle(QString::fromStdString(each.content.scene));
+    const QString scene = SceneModel::titleOf(each.content.scene);
     return QStringLiteral("• %1 (%2, %3)")
         .arg(names.isEmpty() ? scene
                              : scene + QStringLiteral(": ") + names.join(QStringLiteral(", ")),

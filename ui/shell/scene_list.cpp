@@ -1,13 +1,16 @@
 #include "shell/scene_list.h"
 
-#include <iterator>
+#include <QCoreApplication>
+#include <array>
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
 #include "numerics/demand.h"
+#include "scenes/scenes.h"
 #include "studies/tolerance_bands.h"
+#include "text/message_text.h"
 #include "workshop/workshop_page.h"
 
 namespace ravnoves {
@@ -21,10 +24,8 @@ ScenePage* makePage(QWidget* parent, SceneModel* kept) {
     return page;
 }
 
-/// In the order of sceneNames().
-constexpr ScenePage* (*makers[])(QWidget*, SceneModel*){
-    makePage<BalanceShaftPage>,   makePage<ElasticHingePage>, makePage<WorkshopPage>,
-    makePage<InertiaMomentsPage>, makePage<MethodsPage>,
+struct SceneList {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::SceneList)
 };
 
 }  // namespace
@@ -36,11 +37,19 @@ ScenePage* SceneInfo::make(QWidget* parent, SceneModel* kept) const {
 }
 
 std::vector<SceneInfo> sceneList() {
+    constexpr std::array makers{makePage<BalanceShaftPage>, makePage<ElasticHingePage>,
+                                makePage<WorkshopPage>, makePage<InertiaMomentsPage>};
     std::vector<SceneInfo> scenes;
-    RAVNOVES_DEMAND(sceneNames().size() == std::size(makers), "each scene has a page");
-    for (const SceneName& each : sceneNames()) {
-        scenes.push_back({each, makers[scenes.size()]});
+    for (const SceneSolver& each : scene_solvers()) {
+        if (!each.title.empty()) {
+            scenes.push_back({QString::fromUtf8(each.name.data(), std::ssize(each.name)),
+                              shownText(each.title), shownText(each.summary),
+                              makers.at(scenes.size())});
+        }
     }
+    scenes.push_back({QStringLiteral("methods"), SceneList::tr("Methods"),
+                      SceneList::tr("Numerical methods: speed, accuracy, limits"),
+                      makePage<MethodsPage>});
     return scenes;
 }
 

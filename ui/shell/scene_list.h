@@ -1,9 +1,7 @@
 #pragma once
 
-#include <functional>
+#include <QString>
 #include <vector>
-
-#include "page/scene_names.h"
 
 class QWidget;
 
@@ -13,8 +11,11 @@ class ScenePage;
 class SceneModel;
 
 /// A scene and its page.
-struct SceneInfo : SceneName {
-    std::function<ScenePage*(QWidget* parent, SceneModel* kept)> maker;
+struct SceneInfo {
+    QString name;     ///< its word in case files, the name of its folders and of its help page
+    QString title;    ///< in the navigation
+    QString summary;  ///< one line: its purpose
+    ScenePage* (*maker)(QWidget* parent, SceneModel* kept);
 
     /// Makes the page, over the model that a page before it has left, or over a new one.
     ScenePage* make(QWidget* parent, SceneModel* kept = nullptr) const;

@@ -7,7 +7,7 @@
 #include <QTabWidget>
 
 #include "case-file/input_error.h"
-#include "model/case_sources.h"
+#include "model/case_document.h"
 #include "page/scene_page.h"
 #include "shell/main_window.h"
 #include "text/write_file.h"

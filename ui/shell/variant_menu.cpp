@@ -4,7 +4,6 @@
 #include <QToolButton>
 
 #include "model/input_differences.h"
-#include "model/variant_files.h"
 #include "page/scene_page.h"
 #include "shell/variant_table.h"
 #include "theme/icons.h"
@@ -102,7 +101,7 @@ void VariantMenu::showState() {
                   : name.isEmpty() ? tr("Variants: keep the present input as reference (Ctrl+K); "
                                         "later changes are compared with it")
                                    : tr("Variants: the reference is %1").arg(name);
-    const QString changed = reference >= 0 ? changedFilesText(*model_, reference) : QString();
+    const QString changed = reference >= 0 ? model_->changedFilesText(reference) : QString();
     if (!changed.isEmpty()) {
         tip += QLatin1Char('\n') + changed;
     }
@@ -124,7 +123,7 @@ void VariantMenu::fillList() {
         auto* action = new QAction(
             trouble.isEmpty() ? text : tr("%1 – not accepted: %2").arg(text, trouble), this);
         action->setObjectName(QStringLiteral("variant_%1").arg(i));
-        const QString changed = trouble.isEmpty() ? changedFilesText(*model_, i) : QString();
+        const QString changed = trouble.isEmpty() ? model_->changedFilesText(i) : QString();
         action->setToolTip(!trouble.isEmpty()  ? trouble
                            : changed.isEmpty() ? tr("Compare the present input with %1").arg(text)
                                                : changed);

@@ -239,7 +239,6 @@ QWidget* ToleranceWindow::makeInputs() {
     lines->setFixedHeight(shownLines * QFontMetrics(rejected_->font()).lineSpacing() + 2);
     column->addWidget(lines);
     for (TableEditor* editor : {inputs_, watched_}) {
-        page_->addTable(editor);
         connect(editor->table(), &EditableTable::troubleChanged, this, [this] {
             QStringList all{inputs_->trouble(), watched_->trouble()};
             all.removeAll(QString());

@@ -25,7 +25,6 @@
 #include "model/case_document.h"
 #include "model/input_differences.h"
 #include "model/reference_case.h"
-#include "model/variant_files.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
@@ -422,7 +421,7 @@ TEST(AVariantOfAFile, SaysEverywhereThatTheFileHasChanged) {
     input["torque"] = {{"csv", "ind.csv"}};
     model.loadCase(input, CaseContext{fsPath(folder.path())}, u"x"_s);
     model.keepVariant(u"C"_s);
-    EXPECT_EQ(changedFilesText(model, 0), QString());
+    EXPECT_EQ(model.changedFilesText(0), QString());
     table.torque[5] += 1.0;
     write();
     const QString wanted = u"ind.csv has changed since this variant was kept"_s;

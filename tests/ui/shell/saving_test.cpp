@@ -22,7 +22,7 @@
 #include "case-file/text_file.h"
 #include "events.h"
 #include "files.h"
-#include "model/case_sources.h"
+#include "model/case_document.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
 #include "processor_time.h"

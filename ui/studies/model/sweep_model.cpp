@@ -12,7 +12,6 @@
 #include "case-file/json.h"
 #include "case-file/key_units.h"
 #include "model/background_job.h"
-#include "model/default_inputs.h"
 #include "model/scene_model.h"
 #include "scenes/scenes.h"
 #include "studies/model/scattered_inputs.h"
@@ -275,7 +274,7 @@ void SweepModel::start() {
     }
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    giveDefaults(scene, file.input, {wanted_.sweep.input});
+    scene.giveDefaults(file.input, {wanted_.sweep.input});
     file.study = studies::write_study(wanted_.study);
     job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
