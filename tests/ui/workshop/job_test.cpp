@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -19,7 +18,6 @@
 #include "shop/checked_field.h"
 #include "shop/model/verdict.h"
 #include "shown_number.h"
-#include "text/language.h"
 #include "text/preferences.h"
 #include "workshop/journal_dialog.h"
 #include "workshop/model/listed_job.h"
@@ -65,21 +63,6 @@ TEST_F(CardJobTest, TheEngineBringsItsFactor) {
     type("cylinders", u"5"_s);
     EXPECT_EQ(model->input().engine.cylinders, 5);
     EXPECT_EQ(label("headline").contains(u"must"_s), false);
-}
-
-TEST_F(ReadJobTest, NoTextOfTheCardIsDroppedHoweverMuchThereIsToSay) {
-    model->edit(u"runs"_s, [](workshop::Input& input) {
-        input.correction->earlier_runs.resize(max_runs - 1);
-        for (int i = 0; i < 900; ++i) {
-            input.job.notes += "note" + std::to_string(i) + ' ';
-        }
-    });
-    const QString printed = card({QString(600, u'r')});
-    EXPECT_TRUE(hasAll(printed, {u"note0"_s, u"note899"_s, u"Notes"_s, u"Page 1 of "_s,
-                                 u"Correction planes"_s, u"Inspector, signature"_s}));
-    static const QRegularExpression cut(u"\\w…"_s);
-    EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
-    EXPECT_GE(printed.count(u'r'), 600);
 }
 
 TEST_F(ReadJobTest, ASlugIsWholeOnTheCardWithItsMass) {
@@ -515,39 +498,6 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_EQ(model->input().weigh_in->matching, kept.weigh_in->matching);
     EXPECT_TRUE(model->input().weigh_in->is_empty());
     EXPECT_FALSE(model->input().weigh_in->is_moved());
-}
-
-TEST_F(JobPageTest, NoQuantityOfAPlacingIsCutOff) {
-    for (const QString& language : {u"en"_s, u"ru"_s}) {
-        installLanguage(language);
-        const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
-        WorkshopPage narrow(QString(), nullptr);
-        test::showAt(narrow, {1180, 710});
-        narrow.model()->loadInput(bobWeightsJob(), {});
-        test::named<QTabWidget>(narrow, "sheets")->setCurrentIndex(2);
-        narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
-            // No weight is far from the others: by doubted ones nothing is placed.
-            sheet[shop::Part::piston].mass = {0.54, 0.5, 0.52, 0.51, 0.5, 0.53, 0.5, 0.52};
-            sheet.matching.crank_radius.reset();
-            sheet.matching.cylinder_spacing = 0.1;
-        });
-        QCoreApplication::processEvents();
-        int quantities = 0;
-        for (const ResultTable* table :
-             test::named<QTabWidget>(narrow, "sheets")->findChildren<ResultTable*>()) {
-            if (table->isVisible()) {
-                EXPECT_LE(table->horizontalHeader()->length(), table->viewport()->width())
-                    << qPrintable(table->accessibleName());
-            }
-            for (int row = 0; table->isVisible() && row < table->rowCount(); ++row) {
-                const QString name = table->item(row, 0)->text();
-                EXPECT_LE(table->fontMetrics().horizontalAdvance(name), table->columnWidth(0))
-                    << qPrintable(name);
-                ++quantities;
-            }
-        }
-        EXPECT_GE(quantities, 4);
-    }
 }
 
 TEST_F(CardJobTest, MovedPartsOutliveAnotherNumberOfCylinders) {
@@ -1135,16 +1085,6 @@ TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
     EXPECT_TRUE(jobs().at(0).isFinished);
 }
 
-TEST_F(ReadJobTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
-    typeLimit(u"300"_s);
-    typeRun(1, {u"5100"_s, u"75"_s, u"1450"_s, u"210"_s});
-    const QString said = label("troubles");
-    EXPECT_TRUE(
-        begins(label("verdict"), u"STOP. Front plane: drilling increased the unbalance to "_s));
-    EXPECT_TRUE(has(said, u"Rear plane: residual 1450.0 g·mm ∠ 210.0° after drilling"_s));
-    EXPECT_TRUE(has(card(), u"drilling increased the unbalance"_s));
-}
-
 TEST_F(CardJobTest, RunsFollowOneAnother) {
     type("customer", u"Smith"_s);
     EXPECT_FALSE(field("run_1_unbalance_1")->isEnabled()) << "nothing is planned yet";
@@ -1470,29 +1410,6 @@ TEST_F(JobPageTest, ARotorStaysInKilogramsAndTheCardHasTheSplit) {
     EXPECT_TRUE(has(printed, u"On each of the 6 crankpins"_s));
 }
 
-TEST_F(JobPageTest, DensityIsNeededWithSlugsAlone) {
-    EXPECT_EQ(field("slug_density_kg_m3")->placeholderText(), u"–"_s);
-    type("slug_diameter_mm", u"20"_s);
-    EXPECT_EQ(field("slug_density_kg_m3")->placeholderText(), u"required"_s);
-}
-
-TEST_F(ReadJobTest, UnbalancesFollowTheirUnit) {
-    Preferences::instance().setUnits(Preferences::Unbalance, Preferences::Units::GramInch);
-    const QString row = model->planeResults().rows.at(0).at(1);
-    const QString printed = card();
-    model->editTolerance(u"limit"_s, [](Tolerance& tolerance) { tolerance.by_grade = false; });
-    type("g_mm", u"2 oz-in"_s);
-    EXPECT_NEAR(*model->input().tolerance->plane / units::gram_mm, 1440, 1);
-    const WorkshopPage again(QString(), nullptr);
-    const QString limit = test::named<NumberField>(again, "g_mm")->accessibleName();
-    QSettings().clear();
-    Preferences::instance().load();
-    EXPECT_TRUE(row.contains(u"102.36"_s) && row.contains(u"g·in"_s)) << qPrintable(row);
-    EXPECT_TRUE(has(printed, u"Front plane, g·in"_s));
-    EXPECT_FALSE(has(printed, u"g·mm"_s));
-    EXPECT_TRUE(has(limit, u"g·in"_s));
-}
-
 TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     const double heavy = (*model->solution().correction)[0].holes.at(0).angle;
     EXPECT_TRUE(has(label("convention"), u"at the heavy spot"_s));
@@ -1515,44 +1432,6 @@ TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     const Json kept = model->inputJson();
     model->newJob();
     EXPECT_EQ(model->inputJson().at("machine"), kept.at("machine")) << "the next job's, too";
-}
-
-TEST_F(CardJobTest, ReadingsWithoutAnglesHaveAVerdictAndNoHoles) {
-    limitTo(100);
-    type("unbalance_1", u"80"_s);
-    EXPECT_NE(verdict(), u"Passes"_s) << "one plane is not read yet";
-    const auto shown = [&] {
-        QString texts;
-        for (const ResultRow& row : model->planeResults().rows) {
-            texts += row.texts().join(u' ');
-        }
-        return texts;
-    };
-    EXPECT_FALSE(has(shown(), u"PASS"_s));
-    type("unbalance_1", u"180"_s);
-    EXPECT_TRUE(shown().contains(u"FAIL"_s)) << "whatever the other plane reads";
-    type("unbalance_1", u"80"_s);
-    type("unbalance_2", u"90"_s);
-    EXPECT_EQ(verdict(), u"Passes"_s) << qPrintable(label("verdict"));
-    EXPECT_TRUE(model->holeResults().rows.isEmpty());
-    type("engine_number", u"7"_s);
-    save();
-    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
-    EXPECT_TRUE(jobs().at(0).isFinished);
-    type("unbalance_2", u"120"_s);
-    EXPECT_EQ(verdict(), u"Fails"_s);
-    EXPECT_TRUE(has(card(), u"FAIL"_s));
-}
-
-TEST_F(ReadJobTest, AFinishedPassIsNotLostToAStopWithoutAWord) {
-    limitTo(3000);
-    type("engine_number", u"53-1"_s);
-    save();
-    ASSERT_EQ(jobs().at(0).verdict, u"passes"_s);
-    type("reciprocating_percent", u"0.5"_s);
-    EXPECT_TRUE(saveAnd(u"Cancel"_s).contains(u"verdict: PASS"_s));
-    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
-    EXPECT_EQ(jobs().size(), 1);
 }
 
 TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
