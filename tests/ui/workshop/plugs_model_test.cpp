@@ -365,17 +365,6 @@ TEST_F(PlugsModelTest, EnginesKeptByAnOlderVersionBecomeJobs) {
     }
 }
 
-TEST_F(PlugsModelTest, DamagedJournalIsSaidOnThePage) {
-    test::writeFile(path(), "not a journal, but something that the user may want to keep");
-    PlugsModel model(path());
-    EXPECT_TRUE(model.desk()->openJournal());
-    EXPECT_TRUE(model.desk()->journalTrouble().contains(u"damaged"_s));
-    number(model, "1");
-    bool ok = false;
-    model.desk()->saveJob(&ok);
-    EXPECT_TRUE(ok);
-}
-
 TEST_F(PlugsModelTest, WithoutAJournalNothingIsWritten) {
     PlugsModel model;
     EXPECT_FALSE(model.desk()->openJournal());
@@ -383,20 +372,6 @@ TEST_F(PlugsModelTest, WithoutAJournalNothingIsWritten) {
     bool ok = true;
     EXPECT_FALSE(model.desk()->saveJob(&ok).isEmpty());
     EXPECT_FALSE(ok);
-}
-
-TEST_F(PlugsModelTest, BadCasesLeaveTheSheetAsItWas) {
-    PlugsModel model;
-    model.loadInput(repairJob(), {});
-    const workshop::Input before = model.input();
-    Json bad = repairJob();
-    bad["plugs"]["engine"]["crank_radius_mm"] = -40;
-    EXPECT_THROW(model.loadInput(bad, {}), InputError);
-    EXPECT_EQ(model.input(), before);
-    EXPECT_THROW(model.setByKey(u"plugs/engine/crank_radius_mm"_s, u"-1"_s), InputError);
-    model.setByKey(u"plugs/engine/crank_radius_mm"_s, u"42"_s);
-    EXPECT_DOUBLE_EQ(*model.input().plugs->engine.crank_radius, 0.042);
-    EXPECT_THROW(model.setByKey(u"sheet"_s, u"nowhere"_s), InputError);
 }
 
 }  // namespace
