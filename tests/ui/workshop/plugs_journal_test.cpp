@@ -3,9 +3,7 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QSettings>
-#include <QSignalSpy>
 #include <QSqlDatabase>
 #include <QSqlQuery>
 #include <QTableWidget>
@@ -85,27 +83,6 @@ TEST_F(PlugsPageTest, AnEngineThatIsRememberedStaysThatOfItsJob) {
     model->editPlugs(u"oil"_s, [](auto& input) { input.engine.oil_mass = 0.123; });
     model->editPlugs(u"name"_s, [](auto& input) { input.engine.name = "Theirs"; });
     EXPECT_EQ(model->desk()->otherEngine(), u"53-11"_s);
-}
-
-TEST_F(PlugsPageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
-    type("engine_number", u"53-11"_s);
-    save();
-    ASSERT_FALSE(model->hasChanges());
-    model->desk()->missJob(model->desk()->jobId() + 1);  // another
-    EXPECT_FALSE(model->hasChanges());
-    const qint64 id = model->desk()->jobId();
-    answer(u"Yes"_s);
-    whenModal<JournalDialog>([&](JournalDialog* dialog) {
-        test::named<QPushButton>(*dialog, "journal_remove")->click();
-        dialog->reject();
-    });
-    press(Qt::Key_F3);
-    EXPECT_FALSE(model->desk()->journal()->job(id).has_value());
-    EXPECT_EQ(model->desk()->jobId(), 0);
-    EXPECT_TRUE(model->hasChanges());
-    answer(u"Cancel"_s);  // whether to save it, before the sheet is emptied
-    press(Qt::Key_F4);
-    EXPECT_EQ(model->input().job.engine_number, "53-11");
 }
 
 TEST_F(PlugsPageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
@@ -198,19 +175,6 @@ TEST_F(PlugsPageTest, AJobThatAnotherProgramKeepsFromTheJournalIsSaid) {
     EXPECT_GT(model->desk()->jobId(), 0);
 }
 
-TEST_F(PlugsPageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
-    type("engine_number", u"53-11"_s);
-    QSignalSpy status(&page, &ScenePage::status);
-    save();
-    ASSERT_EQ(status.count(), 1);
-    EXPECT_TRUE(status.at(0).at(0).toString().contains(
-        u"put aside in the journal, unfinished. Missing for the bob weight"_s));
-    ASSERT_EQ(jobs().size(), 1);
-    EXPECT_FALSE(jobs().at(0).unbalancedMass);
-    EXPECT_FALSE(jobs().at(0).isFinished);
-    EXPECT_TRUE(jobs().at(0).recommended.isEmpty());
-}
-
 TEST_F(PlugsPageTest, UnsavedJobIsAskedAbout) {
     type("engine_number", u"7"_s);
     const auto asked = answer(u"Cancel"_s);
@@ -255,28 +219,6 @@ TEST_F(PlugsPageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
     const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
     EXPECT_EQ(dialog.exportTo(file), QString());
     EXPECT_EQ(test::contentOf(file).count('\n'), 1006);  // and the headings
-}
-
-TEST_F(PlugsPageTest, TheResultIsReadWholeWhereTheListHasRoom) {
-    JournalJob job;
-    job.scene = u"workshop"_s;
-    job.date = QDate(2024, 5, 31);
-    job.isFinished = true;
-    job.process = u"repair"_s;
-    job.recommended = QString::fromUtf8(option_word(all_options[4]).word);
-    job.reduction = 3.14;
-    job.verdict = u"passes-with-warnings"_s;
-    ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
-    JournalDialog dialog(model->desk()->journal());
-    const auto* table = dialog.findChild<QTableWidget*>(u"journal_table"_s);
-    const auto needed = [&] {
-        return table->sizeHintForIndex(table->model()->index(0, 6)).width();
-    };
-    test::showAt(dialog, {1300, 500});
-    EXPECT_GE(table->columnWidth(6), needed());
-    // And the machine's column is as wide as what it shows.
-    EXPECT_GE(table->columnWidth(8), table->sizeHintForIndex(table->model()->index(0, 8)).width());
-    EXPECT_FALSE(table->horizontalScrollBar()->isVisible());
 }
 
 TEST_F(PlugsPageTest, TheListIsWorkedFromTheSearch) {
