@@ -1,7 +1,5 @@
 // The sheets of the page: their fields, the way through them and what they reject.
 
-#include <QCheckBox>
-#include <QClipboard>
 #include <QDate>
 #include <QPushButton>
 #include <QSettings>
@@ -211,35 +209,6 @@ TEST_F(PlugsSheetsTest, APresetBeginsAJobOfToday) {
     QSettings().remove(u"workshop/tolerance_g_mm"_s);
 }
 
-TEST_F(PlugsSheetsTest, EveryFieldIsLargeAndNamesItsUnit) {
-    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
-        for (QWidget* each : fieldsOf(sheet)) {
-            const QString name = each->objectName();
-            EXPECT_FALSE(name.isEmpty());
-            EXPECT_GE(each->minimumHeight(), qobject_cast<QCheckBox*>(each) != nullptr ? 0
-                                             : sheet != PlugsTab && sheet != JobTab    ? 30
-                                                                                       : 34)
-                << qPrintable(name);
-        }
-    }
-    // Units stand in the accessible name of every quantity.
-    EXPECT_EQ(field("crank_radius_mm")->accessibleName(), u"Crank radius r, mm"_s);
-    EXPECT_EQ(field("mass_piston_3")->accessibleName(), u"Piston of cylinder 3, g"_s);
-}
-
-TEST_F(PlugsSheetsTest, ADateAndAThreadAreReadInTheFormsThatPeopleType) {
-    auto* date = find<CheckedField>("date");
-    type(date, u"31.02.2024"_s);
-    EXPECT_TRUE(date->trouble().contains(u"not a date"_s));
-    type(date, u"31.5.24"_s);
-    EXPECT_EQ(model->input().job.date, "2024-05-31");
-    auto* thread = find<CheckedField>("thread");
-    type(thread, u"22"_s);
-    EXPECT_TRUE(thread->trouble().contains(u"M22×1.5"_s));
-    type(thread, u"m30×1,5"_s);
-    EXPECT_NEAR(model->input().plugs->plug->thread->diameter, 0.03, 1e-12);
-}
-
 TEST_F(PlugsSheetsTest, EmptiedFieldTakesTheNextDigitsAlone) {
     // What an empty field means (0, 5 g·mm, 7850 kg/m³) must not join what is typed next.
     const struct {
@@ -299,14 +268,6 @@ TEST_F(PlugsSheetsTest, FieldsStayWhereTheyAreWhileOneTypes) {
         QApplication::processEvents();
         EXPECT_EQ(places(sheet), before) << name;
     }
-}
-
-TEST_F(PlugsSheetsTest, CellsShowHundredthsOfAGram) {
-    show(WeighInTab);
-    type("mass_piston_8", u"1568.52"_s);
-    NumberField* cell = field("mass_piston_8");
-    // Frame and margins are three pixels at each side.
-    EXPECT_LE(cell->fontMetrics().horizontalAdvance(u"1568.52"_s) + 6, cell->width());
 }
 
 }  // namespace
