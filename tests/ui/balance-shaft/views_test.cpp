@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
@@ -20,7 +19,6 @@
 #include "model/background_job.h"
 #include "page_fixture.h"
 #include "pictures/file_dialogs.h"
-#include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/result_table.h"
 
@@ -36,39 +34,6 @@ class BalanceShaftViewsTest : public test::PageTest<BalanceShaftPage> {
     }
     QString answer() const { return model->speedStudy()->answer(); }
 };
-
-// Whatever room is left for the notes: a scroll bar that came and went took the program with it.
-TEST_F(BalanceShaftViewsTest, NotesOfAnyHeightComeToRest) {
-    for (int height = 560; height <= 860; height += 15) {
-        page.resize(1175, height);
-        for (const double radius : {51.0, 46.0, 5.0, 50.0, 55.0, 40.0, 60.0}) {
-            model->edit(QStringLiteral("r"),
-                        [&](auto& input) { input.crank_radius = radius * units::mm; });
-            QApplication::processEvents();
-        }
-    }
-    EXPECT_EQ(model->input().crank_radius, 60.0 * units::mm);
-}
-
-TEST_F(BalanceShaftViewsTest, TheDrawingForTheShopAsksAboutWhatIsRejected) {
-    auto* view = bring(page.findChild<RelievedShaftView*>());
-    type("density_kg_m3", QStringLiteral("abc"));
-    bool isAsked = false;
-    const FileChoosers before = fileChoosers();
-    fileChoosers().save = [](auto&&...) {
-        ADD_FAILURE();
-        return QString();
-    };
-    test::whenModal<QMessageBox>(&page, [&](QMessageBox* box) {
-        isAsked = box->text().contains(QStringLiteral("“abc” is not a number"));
-        QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
-    });
-    auto* button = view->findChild<QPushButton*>();
-    ASSERT_TRUE(button->isEnabled());
-    QTest::mouseClick(button, Qt::LeftButton);
-    fileChoosers() = before;
-    EXPECT_TRUE(isAsked);
-}
 
 TEST_F(BalanceShaftViewsTest, OfThreeSizesOfTheShaftOneIsFound) {
     bring(page.findChild<RelievedShaftView*>());
@@ -239,32 +204,6 @@ TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
     QTRY_VERIFY_WITH_TIMEOUT(!model->speedStudy()->job()->isRunning() && rebuild->isVisible(),
                              20000);
     EXPECT_EQ(map->title(), empty);
-}
-
-TEST(BalanceShaftInRussian, ItsCriteriaDoNotScroll) {
-    installLanguage(QStringLiteral("ru"));
-    {
-        BalanceShaftPage page;
-        test::showAt(page, {1175, 700});  // of a window of 1280×800
-        const auto* criteria = page.findChild<ResultTable*>();
-        EXPECT_FALSE(criteria->horizontalScrollBar()->isVisible());
-    }
-    installLanguage(QStringLiteral("en"));
-}
-
-TEST_F(BalanceShaftViewsTest, TheChangeIsWholeAndIsComparedWithNothing) {
-    test::showAt(page, {1175, 700});  // of a window of 1280×800
-    auto* here = page.findChild<ResultTable*>();
-    const int change = here->columnCount() - 1;
-    EXPECT_FALSE(here->horizontalScrollBar()->isVisible());
-    model->keepVariant(QStringLiteral("B"));
-    model->setShaftAngleDeg(100.0);
-    QApplication::processEvents();
-    EXPECT_FALSE(here->horizontalScrollBar()->isVisible());
-    EXPECT_FALSE(here->differenceAt(0, change - 1).isEmpty());
-    for (int row = 0; row < here->rowCount(); ++row) {
-        EXPECT_TRUE(here->differenceAt(row, change).isEmpty()) << row;
-    }
 }
 
 TEST_F(BalanceShaftViewsTest, TheSpeedMapSaysWhereTheShaftHelps) {
