@@ -88,23 +88,6 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     EXPECT_NEAR(model.shaftAngleDeg(), 11.76, 0.05);
 }
 
-TEST(BalanceShaftModel, ADragIsOneStepOfTheHistory) {
-    BalanceShaftModel model;
-    const double before = model.shaftAngleDeg();
-    for (int i = 0; i < 50; ++i) {
-        model.setShaftAngleDeg(100.0 + i);
-    }
-    model.finishDrag();
-    model.setShaftAngleDeg(10.0);
-    EXPECT_EQ(model.history()->count(), 2);
-    model.history()->undo();
-    EXPECT_NEAR(model.shaftAngleDeg(), 149.0, 1e-9);
-    model.history()->undo();
-    EXPECT_NEAR(model.shaftAngleDeg(), before, 1e-9);
-    model.history()->redo();
-    EXPECT_NEAR(model.shaftAngleDeg(), 149.0, 1e-9);
-}
-
 TEST(BalanceShaftModel, AChangeSaysWhetherItIsBetter) {
     BalanceShaftModel model;
     model.setShaftAngleDeg(50.65);

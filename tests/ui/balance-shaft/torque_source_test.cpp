@@ -194,16 +194,6 @@ TEST_F(TorqueSourceTest, AnEmptySourceStaysChosenUntilAnotherGivesTheTorque) {
     EXPECT_EQ(chosen->currentIndex(), 2) << "the cycle gives the torque again";
 }
 
-TEST_F(TorqueSourceTest, PlacesOfTheTableAreRows) {
-    QTableView* view = entries->view();
-    const auto* line = entries->findChild<TroubleLine*>();
-    view->setCurrentIndex(view->model()->index(0, 0));
-    QApplication::clipboard()->setText(QStringLiteral("15\t5\n30\t6\n"));
-    entries->paste();
-    EXPECT_TRUE(line->text().startsWith(QStringLiteral("Row "))) << qPrintable(line->text());
-    EXPECT_FALSE(line->text().contains(QLatin1Char('_'))) << qPrintable(line->text());
-}
-
 TEST_F(TorqueSourceTest, ABlockWithoutRoomIsRejectedInWords) {
     QTableView* view = entries->view();
     const QAbstractItemModel& table = *view->model();
@@ -220,23 +210,6 @@ TEST_F(TorqueSourceTest, ABlockWithoutRoomIsRejectedInWords) {
     EXPECT_TRUE(paste(table.rowCount() - 2, QStringLiteral("1\n2\n3\n"))
                     .contains(QStringLiteral("3 rows")));
     EXPECT_EQ(model->input().torque.table, before);
-}
-
-TEST_F(TorqueSourceTest, OfABlockUndoTakesFirstWhatIsRejected) {
-    TableEditor& editor = *entries;
-    const auto before = model->input().torque.table;
-    bring(source);
-    editor.view()->setCurrentIndex(editor.table()->index(3, TorqueTableModel::Torque));
-    QApplication::clipboard()->setText(QStringLiteral("111\nx\n112\ny\n"));
-    editor.paste();
-    ASSERT_EQ(model->input().torque.table.torque[3], 111.0);
-    ASSERT_TRUE(editor.trouble().contains(QStringLiteral("x")));
-    model->undo();
-    EXPECT_EQ(editor.trouble(), QString());
-    EXPECT_EQ(model->input().torque.table.torque[3], 111.0);
-    model->undo();
-    EXPECT_EQ(model->input().torque.table, before);
-    EXPECT_FALSE(model->history()->canUndo());
 }
 
 TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {
