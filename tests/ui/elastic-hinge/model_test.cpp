@@ -157,26 +157,6 @@ TEST(ElasticHingeModel, MotionsComeFromTheWorkerThread) {
     EXPECT_EQ(model.animatedMotion(), nullptr);
 }
 
-TEST(ElasticHingeModel, TheNewestWishWinsAndLongRunsGiveWay) {
-    ElasticHingeModel model;
-    model.edit(QStringLiteral("turns"), [](auto& input) { input.motion = turns(1000.0); });
-    for (int i = 0; i < 30; ++i) {
-        model.edit(QStringLiteral("speed"), [i](auto& input) { input.angular_speed = 100.0 + i; });
-    }
-    model.edit(QStringLiteral("turns"), [](auto& input) { input.motion = turns(1.0); });
-    waitForMotions(model);
-    EXPECT_NEAR(model.motions()->without->crank_angle.back(), two_pi, 1e-6);
-    EXPECT_NEAR(model.motions()->without->speed.front(), 129.0, 1e-9);
-}
-
-TEST(ElasticHingeModel, ARunMayOutliveNothing) {
-    {
-        ElasticHingeModel shortLived;
-        shortLived.edit(QStringLiteral("turns"), [](auto& input) { input.motion = turns(1000.0); });
-    }
-    QCoreApplication::processEvents();
-}
-
 TEST(ElasticHingeModel, ThePictureFollowsTheMotion) {
     ElasticHingeModel model;
     waitForMotions(model);
