@@ -6,7 +6,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QFile>
-#include <QHeaderView>
 #include <QImage>
 #include <QLabel>
 #include <QProgressBar>
@@ -49,15 +48,6 @@ class MethodsPageTest : public test::PageTest<MethodsPage> {
     QTemporaryDir folder;
 };
 
-TEST_F(MethodsPageTest, NothingIsMeasuredBeforeItIsInFront) {
-    EXPECT_FALSE(model->measuring()->isRunning());
-    EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
-    EXPECT_EQ(page.table()->rowCount(), 0);
-    measure();
-    EXPECT_FALSE(find<PlotView>("work_plot")->isFaded());
-    EXPECT_EQ(page.table()->rowCount(), 9);
-}
-
 /// A value that was typed and given up leaves nothing behind.
 TEST_F(MethodsPageTest, EscapeInTheValueBringsTheOldOneBack) {
     auto* value = field("value");
@@ -90,23 +80,6 @@ TEST_F(MethodsPageTest, EveryPointIsDrawn) {
         drawn += csv.contains(CsvFormat().number(point.timing.median)) ? 1 : 0;
     }
     EXPECT_EQ(drawn, shown.report.rows.size());
-}
-
-/// However many rows a kernel's table has, they scroll, and the charts keep their room.
-TEST_F(MethodsPageTest, ALongTableLeavesTheChartsTheirRoom) {
-    for (int kernel = 0; kernel < static_cast<int>(model->kernels().size()); ++kernel) {
-        model->setKernel(static_cast<std::size_t>(kernel));
-        if (model->kernel().id == "hinge-motion") {
-            continue;  // as long as the others, and slow
-        }
-        measure();
-        EXPECT_GT(find<PlotView>("work_plot")->plotArea().height(), 100.0) << kernel;
-        EXPECT_GE(page.table()->height(), 150) << kernel;
-        const QTableWidget* table = page.table();
-        EXPECT_TRUE(test::comes([&] {
-            return table->viewport()->rect().contains(table->visualItemRect(table->currentItem()));
-        })) << kernel;
-    }
 }
 
 TEST_F(MethodsPageTest, WhatIsRejectedIsInTheTableAlone) {
@@ -244,23 +217,6 @@ TEST_F(MethodsPageTest, NanosecondsAreBehindDetails) {
     }
 }
 
-/// In a narrow window the charts stand one above the other, and all scrolls together: the table has
-/// no bar of its own.
-TEST_F(MethodsPageTest, ANarrowPageScrollsAsAWhole) {
-    page.resize(856, 480);
-    measure();
-    const PlotView* work = find<PlotView>("work_plot");
-    ASSERT_TRUE(test::comes([&] { return plots->isFolded(); }));
-    EXPECT_GE(find<PlotView>("stability_plot")->y(), work->geometry().bottom());
-    EXPECT_TRUE(test::comes([&] { return work->plotArea().height() > 120.0; }));
-    const ResultTable& table = *page.table();
-    EXPECT_TRUE(test::comes(
-        [&] { return table.verticalHeader()->length() <= table.viewport()->height(); }));
-    EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
-    page.resize(1500, 900);
-    EXPECT_TRUE(test::comes([&] { return !plots->isFolded(); }));
-}
-
 TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     measure();
     bring("validation");
@@ -349,13 +305,6 @@ TEST(MethodsInTheWindow, BeginsWithTheCaseThatWasInFront) {
     EXPECT_GT(table->rowCount(), 4);
     EXPECT_EQ(page->resultsAsText(), table->asText());
     EXPECT_FALSE(page->viewModel()->measuring()->isRunning());
-    // Closing in the midst of a measurement is clean.
-    page->viewModel()->measureAgain();
-    EXPECT_TRUE(page->viewModel()->measuring()->isRunning());
-    page->model()->history()->setClean();
-    ASSERT_TRUE(window.showScene(QStringLiteral("elastic-hinge")));
-    window.currentPage()->model()->history()->setClean();
-    EXPECT_TRUE(window.close());
 }
 
 }  // namespace
