@@ -307,22 +307,6 @@ TEST_F(DiskTest, ItsOwnSavingIsNoChange) {
     EXPECT_EQ(said.size(), 0);
 }
 
-TEST_F(DiskTest, AChangeByOthersIsSeenAndReloadedAsOneStep) {
-    writeByOthers(25.0);
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
-    EXPECT_EQ(model.root(), 3.0);
-    EXPECT_EQ(document.reload(), QString());
-    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
-    EXPECT_EQ(model.root(), 5.0);
-    EXPECT_FALSE(document.needsSaving());
-    model.undo();
-    EXPECT_EQ(model.root(), 3.0);
-    EXPECT_TRUE(document.needsSaving());
-    // A second time, after the file was replaced once.
-    writeByOthers(36.0);
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
-}
-
 TEST_F(DiskTest, TheSameContentAgainIsNoChange) {
     writeByOthers(25.0);
     EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
@@ -339,24 +323,6 @@ TEST_F(DiskTest, MineIsKeptAndNeedsSaving) {
     EXPECT_TRUE(document.save());
     EXPECT_TRUE(asked.isEmpty());
     EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
-}
-
-TEST_F(DiskTest, SavingOverAChangedFileAsksFirst) {
-    model.set("square", 16.0);
-    writeByOthers(25.0);
-    EXPECT_FALSE(document.save());
-    EXPECT_EQ(asked, QStringList{path});
-    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
-    instead = DocumentDialogs::Instead::Elsewhere;
-    chosen = folder.filePath(QStringLiteral("mine.case.json"));
-    EXPECT_TRUE(document.save());
-    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
-    EXPECT_EQ(document.path(), chosen);
-    test::RootModel other;
-    EXPECT_EQ(CaseDocument(&other, {}).saveTo(chosen), QString());
-    instead = DocumentDialogs::Instead::Overwrite;
-    EXPECT_TRUE(document.save());
-    EXPECT_EQ(CaseDocument::read(chosen).input.at("crank_radius_mm"), 16.0);
 }
 
 TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
