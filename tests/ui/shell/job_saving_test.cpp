@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QStatusBar>
 #include <QStatusTipEvent>
-#include <QTabWidget>
 #include <QTemporaryDir>
 
 #include "case-file/json.h"
@@ -94,27 +93,6 @@ TEST_F(JobSavingTest, TheKeySavesInTheJournalWhereThereIsNoFile) {
     EXPECT_TRUE(document().needsSaving());
     press(Qt::Key_S);
     EXPECT_EQ(numbers(), QStringList{u"4711"_s});
-}
-
-TEST_F(JobSavingTest, TheKeyAsksWhatTheJournalsKeyAsks) {
-    // A weight, and nothing by which the job could be found again.
-    test::named<QTabWidget>(*window->currentPage(), "sheets")->setCurrentIndex(2);
-    type("mass_piston_1", u"568.5"_s);
-    QString asked;
-    const auto answer = [&](const QString& button) {
-        test::answerWith(window.get(), button, [&asked](const QString& text) { asked = text; });
-    };
-    answer(u"Enter one"_s);
-    press(Qt::Key_S);
-    EXPECT_TRUE(asked.contains(u"the journal could not find the job"_s)) << asked.toStdString();
-    EXPECT_EQ(numbers(), QStringList());
-    EXPECT_TRUE(document().needsSaving());
-    EXPECT_EQ(window->focusWidget()->objectName(), u"engine_number"_s);
-    answer(u"Save without"_s);
-    press(Qt::Key_S);
-    EXPECT_EQ(numbers(), QStringList{QString()});
-    EXPECT_FALSE(document().needsSaving());
-    EXPECT_EQ(filesAsked, 0);
 }
 
 TEST_F(JobSavingTest, AFileIsSavedAsAFile) {

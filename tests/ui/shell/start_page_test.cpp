@@ -122,25 +122,6 @@ TEST_F(StartPageTest, IsWorkedByTheKeyboardAlone) {
     EXPECT_EQ(scenes, (QStringList{u"methods"_s, u"methods"_s}));
 }
 
-TEST_F(StartPageTest, FitsSmallAndLargeWindows) {
-    for (const QSize size :
-         {QSize(320, 600), QSize(560, 700), QSize(920, 600), QSize(1800, 1000)}) {
-        test::showAt(page, size);
-        for (const QAbstractButton* button : page.findChildren<QAbstractButton*>()) {
-            if (button->objectName().startsWith(u"start-")) {
-                const QRect there(button->mapTo(&page, QPoint()), button->size());
-                EXPECT_GE(there.left(), 0) << button->text().toStdString();
-                EXPECT_LE(there.right(), page.width())
-                    << button->text().toStdString() << " at " << size.width();
-            }
-            if (button->objectName() == u"start-example" && size.width() >= 920) {
-                EXPECT_GE(button->width(), button->sizeHint().width())
-                    << button->text().toStdString() << " is cut at " << size.width();
-            }
-        }
-    }
-}
-
 TEST_F(StartPageTest, AnExampleIsACaseWithoutAFile) {
     const auto examples = page.findChildren<QAbstractButton*>(u"start-example"_s);
     EXPECT_EQ(examples.size(), exampleCount());
@@ -237,21 +218,6 @@ TEST(StartOfTheProgram, MakesNoPageBeforeOneIsAskedFor) {
     QApplication::processEvents();
     EXPECT_TRUE(window.currentPage()->isVisible())
         << window.documents().isVisible() << window.centralWidget()->isVisible();
-}
-
-TEST(StartOfTheProgram, ACaseIsTheOnlyDocument) {
-    MainWindow window(MainWindow::First::Nothing);
-    test::showAt(window, {1024, 700});
-    window.showStart();
-    const auto& cases = newCases();
-    const auto example = std::find_if(cases.begin(), cases.end(), [](const NewCase& each) {
-        return each.scene == u"elastic-hinge"_s && each.kind == NewCase::Kind::Example;
-    });
-    ASSERT_NE(example, cases.end());
-    EXPECT_EQ(window.newCase(example->make()), QString());
-    EXPECT_FALSE(window.isAtStart());
-    EXPECT_EQ(window.documents().all().size(), 1U);
-    EXPECT_EQ(window.currentScene(), u"elastic-hinge"_s);
 }
 
 TEST(StartOfTheProgram, APresetIsSpeltAsItsCase) {
