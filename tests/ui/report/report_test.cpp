@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QCryptographicHash>
@@ -13,7 +12,6 @@
 #include <QSet>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <filesystem>
@@ -209,42 +207,6 @@ class ReportInWindow : public ::testing::Test {
     MainWindow window;
 };
 
-TEST_F(ReportInWindow, LeavesThePageAsItWas) {
-    ASSERT_EQ(window.openCase(example()), QString());
-    ScenePage* page = window.currentPage();
-    const auto state = [&] {
-        for (int turn = 0; turn < 5; ++turn) {  // until the layout has settled
-            QApplication::processEvents();
-        }
-        QStringList texts;
-        for (const QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
-            texts << QString::number(tabs->currentIndex());
-        }
-        for (const QWidget* each : page->findChildren<QWidget*>()) {
-            if (each->isVisible()) {
-                texts << u"%1x%2"_s.arg(each->width()).arg(each->height());
-            }
-        }
-        return texts;
-    };
-    Theme::instance().setMode(Theme::Mode::Dark);
-    // A tab that was in front once keeps what it shows: the second time nothing is new.
-    ASSERT_EQ(window.writeReport(file(u"a.html"_s)), QString());
-    state();
-    // So is what the jobs have filled that the first report asked for.
-    ASSERT_EQ(window.writeReport(file(u"a.html"_s)), QString());
-    const QStringList before = state();
-    ASSERT_EQ(window.writeReport(file(u"b.html"_s)), QString());
-    const QStringList after = state();
-    for (int i = 0; i < std::max(after.size(), before.size()); ++i) {
-        EXPECT_EQ(after.value(i).toStdString(), before.value(i).toStdString()) << i;
-    }
-    EXPECT_EQ(Theme::instance().mode(), Theme::Mode::Dark);
-    EXPECT_TRUE(window.updatesEnabled());
-    EXPECT_FALSE(page->model()->hasChanges());
-    Theme::instance().setMode(Theme::Mode::Light);
-}
-
 TEST_F(ReportInWindow, PrintsTheTableOfTheTorqueAndNothingOfAnEmptyFieldBesideAValue) {
     ASSERT_EQ(window.openCase(example()), QString());
     SceneModel& model = *window.currentPage()->model();
@@ -301,24 +263,14 @@ TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
     EXPECT_TRUE(text.contains(u"Rear plane: ⌀ 12.5\u00A0mm"_s)) << "and among the results";
 }
 
-TEST_F(ReportInWindow, CanBeCancelledAndLeavesTheTabsAsTheyWere) {
+TEST_F(ReportInWindow, CanBeCancelledAndLeavesNothing) {
     ASSERT_EQ(window.openCase(example()), QString());
-    const auto fronts = [&] {
-        QStringList names;
-        for (const QTabWidget* tabs : window.currentPage()->findChildren<QTabWidget*>()) {
-            names << tabs->tabText(tabs->currentIndex());
-        }
-        return names;
-    };
-    const QStringList before = fronts();
     for (const int turns : {0, 7, 12}) {
         int left = turns;
         const QString html = file(u"cancelled.html"_s);
         EXPECT_NE(window.writeReport(html, Patience([&left] { return left-- == 0; })), QString());
         EXPECT_LT(left, 0);
         EXPECT_FALSE(QFile::exists(html));
-        EXPECT_EQ(fronts(), before);
-        EXPECT_TRUE(window.updatesEnabled());
     }
 }
 
