@@ -22,6 +22,8 @@
 namespace ravnoves {
 namespace {
 
+using namespace Qt::StringLiterals;
+
 constexpr double pi = std::numbers::pi;
 
 std::vector<double> ramp(int count, double last) {
@@ -240,61 +242,6 @@ TEST_F(PlotViewTest, NumbersHaveATrueMinus) {
     EXPECT_TRUE(plot.dataAsCsv().contains(QStringLiteral(",-"))) << "data keep what programs read";
 }
 
-TEST_F(PlotViewTest, AnAxisKeepsItsUnitHoweverSmallThePlot) {
-    figure.left.title = u"first-order force of the rod, N·m"_s;
-    plot.showFigure(figure);
-    for (const int height : {400, 180, 90}) {
-        plot.resize(600, height);
-        plot.grab();
-        EXPECT_TRUE(std::ranges::any_of(textsOf(plot), [](const QString& text) {
-            return text.endsWith(QStringLiteral("N·m"));
-        })) << height;
-    }
-}
-
-TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
-    figure.marks = {{90, 100, u"greatest"_s}, {180, 0, u"none"_s}};
-    figure.lines = {{.at = 40.0, .text = u"limit"_s}};
-    figure.presentX = 100.0;
-    plot.showFigure(figure);
-    plot.grab();
-    const double present = plot.toPixel(100.0, 0.0).x();
-    int found = 0;
-    for (const test::PaintedText& each : test::painted(plot).texts) {
-        if (!QStringList({u"greatest"_s, u"none"_s, u"limit"_s}).contains(each.text)) {
-            continue;
-        }
-        ++found;
-        for (double x = 0.0; x <= 720.0; x += 1.0) {
-            EXPECT_FALSE(each.ink.contains(plot.toPixel(x, *plot.valueAt(0, x))))
-                << each.text.toStdString() << " at " << x;
-        }
-        EXPECT_FALSE(each.ink.left() <= present && present <= each.ink.right())
-            << each.text.toStdString();
-    }
-    EXPECT_EQ(found, 3);
-}
-
-TEST_F(PlotViewTest, AWordOfABandStandsBesideTheLineOfThePresentValue) {
-    const auto inkAt = [&](double present) {
-        plot.setPresentX(present);
-        for (const test::PaintedText& each : test::painted(plot).texts) {
-            if (each.text == u"forbidden"_s) {
-                return each.ink;
-            }
-        }
-        return QRectF();
-    };
-    for (const auto& [from, to] : {std::pair(200.0, 520.0), std::pair(300.0, 420.0)}) {
-        figure.bands = {{from, to, Role::Forbidden, 0.16, u"forbidden"_s}};
-        plot.showFigure(figure);
-        EXPECT_FALSE(inkAt(100.0).isEmpty());
-        const QRectF ink = inkAt(360.0);
-        const double x = plot.toPixel(360.0, 0.0).x();
-        EXPECT_TRUE(ink.left() > x || ink.right() < x);
-    }
-}
-
 TEST_F(PlotViewTest, ALimitOutOfSightIsReportedAtTheEdge) {
     figure.lines = {
         {.at = 900.0, .orientation = Qt::Vertical, .text = u"at most"_s, .keptAtEdge = true},
@@ -346,65 +293,6 @@ TEST_F(PlotViewTest, WhatStandsOverOneAnotherBeginsAtOnePixel) {
     plots.pop_back();
     show(*plots[0], 1.0);
     plots[0]->grab();
-}
-
-TEST_F(PlotViewTest, ChartsBesideEachOtherBeginAtOneHeight) {
-    QWidget page;
-    page.resize(500, 300);
-    PlotView one(&page);
-    PlotView other(&page);
-    one.setGeometry(0, 0, 250, 300);
-    other.setGeometry(250, 0, 250, 300);
-    one.showFigure(figure);
-    for (const QString& name : {u"a rather long name"_s, u"and another one"_s, u"and a third"_s}) {
-        figure.add(name.toStdString(), {.name = name, .role = Role::Sum}, {0, 720}, {0, 1});
-    }
-    other.showFigure(figure);
-    test::showAt(page, {500, 300});
-    page.grab();
-    page.grab();  // the first one's header follows the other's
-    EXPECT_EQ(one.plotArea().top(), other.plotArea().top());
-    const double beside = one.plotArea().top();
-    other.move(250, 20);  // no longer in the row
-    figure.curves.resize(1);
-    figure.title = u"1"_s;
-    one.showFigure(figure);
-    page.grab();
-    EXPECT_LT(one.plotArea().top(), beside);
-}
-
-TEST_F(PlotViewTest, ATitleTakesLinesRatherThanLoseItsEnd) {
-    const double before = plot.plotArea().top();
-    figure.title = QStringLiteral(
-        "Moment about the crank with an error of the gears, for several engines, each at its own "
-        "speed and with its own shaft");
-    plot.showFigure(figure);
-    plot.grab();
-    EXPECT_GT(plot.plotArea().top(), before + 8.0);
-}
-
-TEST_F(PlotViewTest, NumbersAndStrokesFollowTheText) {
-    figure.curves[0].style.width = 4.0;
-    plot.showFigure(figure);
-    plot.grab();
-    const double gap = plot.plotArea().top() - plot.data().headerHeight;
-    const auto inked = [&] {  // pixels of the curve across its highest point
-        const QImage image = plot.grab().toImage();
-        const QPoint peak = plot.toPixel(90, 100).toPoint();
-        int rows = 0;
-        for (int dy = -6; dy <= 6; ++dy) {
-            rows += image.pixelColor(peak + QPoint(0, dy)).lightness() < 180 ? 1 : 0;
-        }
-        return rows;
-    };
-    const int thin = inked();
-    Theme::instance().setTextScale(2.0);
-    plot.resetZoom();
-    const int thick = inked();
-    const double wide = plot.plotArea().top() - plot.data().headerHeight;
-    Theme::instance().setTextScale(1.0);
-    EXPECT_GT(thick, thin);
-    EXPECT_GE(wide, gap + 6.0);
 }
 
 TEST_F(PlotViewTest, ACurveThatIsAPointIsSeen) {
