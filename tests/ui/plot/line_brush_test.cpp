@@ -352,14 +352,6 @@ TEST(LineBrush, DashesAreAsLongAsAsked) {
     EXPECT_EQ(image.pixelColor(25, 3), Qt::black);
 }
 
-TEST(LineBrush, CoversAsMuchAsTheLineIsWide) {
-    for (const QPointF& end : {QPointF(200, 50), QPointF(50, 130), QPointF(170, 140)}) {
-        const QPointF begin(50, 50);
-        const double length = std::hypot(end.x() - begin.x(), end.y() - begin.y());
-        EXPECT_NEAR(inkOf(byBrush({begin, end}, 1.6, Qt::SolidLine)), 1.6 * length, 0.01 * length);
-    }
-}
-
 TEST(LineBrush, FarBeyondThePictureTheDashesGoOn) {
     // The same dashes in sight, whether the line begins 6 or 6·10⁶ pixels before it.
     const double far = 6e6;

@@ -82,18 +82,6 @@ TEST(MechanismPicture, APauseIsSeenAtOnce) {
     }
 }
 
-TEST(Drawing, WordsStandOnTheirOwnGround) {
-    QImage lines(60, 30, QImage::Format_RGB32);
-    lines.fill(Qt::black);
-    QPainter painter(&lines);
-    painter.setPen(Qt::black);
-    drawing::drawWithHalo(painter, lines.rect(), Qt::AlignCenter, u"1"_s);
-    painter.end();
-    const QColor ground = Theme::instance().panel();
-    EXPECT_GT(lines.pixelColor(26, 15).lightness(), ground.lightness() / 2);
-    EXPECT_EQ(lines.pixelColor(2, 15), Qt::black);
-}
-
 TEST(Drawing, AnArrowThatWouldLeaveThePictureGoesBackAlongItsLine) {
     const QRectF picture(0.0, 0.0, 100.0, 60.0);
     const QLineF inside(10.0, 10.0, 60.0, 30.0);

@@ -74,24 +74,6 @@ TEST_F(Style, AChoiceHasRoomForItsEntryAtEveryTextSize) {
     }
 }
 
-/// A program that paints all day: what Fusion keeps of a picture is found, not kept twice.
-TEST_F(Style, PaintingAgainKeepsNothing) {
-    QSlider slider(Qt::Horizontal);
-    QComboBox combo;
-    QWidget* const all[] = {&slider, &combo};
-    const auto paint = [&](int times) {
-        for (int i = 0; i < times; ++i) {
-            for (QWidget* each : all) {
-                each->grab();
-            }
-        }
-        return static_cast<double>(mallinfo2().uordblks);
-    };
-    const double before = paint(20);
-    const double bytes = paint(300) - before;
-    EXPECT_LT(bytes / 300.0, 10.0) << "bytes a time";
-}
-
 TEST_F(Style, PaintingNewWidgetsKeepsNothing) {
     // As each page that is opened has: with palettes of their own, of the same colours.
     const auto paint = [](int times) {

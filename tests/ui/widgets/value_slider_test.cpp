@@ -91,14 +91,6 @@ TEST_F(ValueSliderTest, EscapeTakesBackTheTextAndWhatIsSaidOfIt) {
     EXPECT_EQ(slider.value(), 45.0);
 }
 
-TEST_F(ValueSliderTest, KeepsASliderThatCanBeUsedWhereTheRowIsNarrow) {
-    for (const int width : {150, 200, 260, 400}) {
-        test::showAt(window, {width, 140});
-        EXPECT_GE(slider.slider()->width(), 110) << width;
-        EXPECT_FALSE(slider.slider()->geometry().intersects(slider.box()->geometry())) << width;
-    }
-}
-
 TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
     QTest::keyClick(slider.slider(), Qt::Key_Right);
     EXPECT_DOUBLE_EQ(slider.value(), 45.1);
