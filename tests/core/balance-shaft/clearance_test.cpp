@@ -136,22 +136,6 @@ TEST(BuildableAngles, AreThoseWithEnoughClearance) {
     EXPECT_TRUE(all.stretches[0].is_whole_turn());
 }
 
-TEST(BuildableAngles, MirrorWithTheCylinder) {
-    Input input = diesel();
-    const auto of = [&](double offset) {
-        input.cylinder.offset = offset;
-        return buildable_angles(front_view(input)).stretches;
-    };
-    const auto centred = of(0.0);
-    ASSERT_EQ(centred.size(), 1U);
-    EXPECT_NEAR(centred[0].from + centred[0].to, two_pi, 1e-9);
-    const auto right = of(0.01);
-    const auto left = of(-0.01);
-    ASSERT_EQ(right.size(), 1U);
-    EXPECT_NEAR(right[0].from + left[0].to, two_pi, 1e-9);
-    EXPECT_GT(right[0].from, centred[0].from);
-}
-
 TEST(BuildableAngles, TheBestOfThemIsThatOfADenseSearch) {
     for (const Input& input : placed_engines()) {
         const Solver solver(input);

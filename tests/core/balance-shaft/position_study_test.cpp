@@ -159,56 +159,6 @@ TEST(PositionStudyTest, theRmsAtTheBestPlaceIsThatWithoutTheFirstOrder) {
     }
 }
 
-TEST(PositionStudyTest, turningTheTorquesPhaseTurnsTheBestPlaceBack) {
-    const TorqueTable table = random_table(21, 40);
-    const BestPositions best = PositionStudy(Solver(with_table(table))).best();
-    for (const double delta : {30.0, 211.0, 333.25}) {
-        // The row at 720° less delta becomes that at 0.
-        const Solver solver(with_table(table));
-        TorqueTable turned;
-        const double first = -solver.M_up(-delta * degree);
-        turned.crank_angle_deg.push_back(0.0);
-        turned.torque.push_back(first);
-        std::vector<std::pair<double, double>> rows;
-        for (std::size_t i = 0; i + 1 < table.size(); ++i) {
-            rows.emplace_back(std::fmod(table.crank_angle_deg[i] + delta, 720.0), table.torque[i]);
-        }
-        std::sort(rows.begin(), rows.end());
-        for (const auto& [angle, torque] : rows) {
-            if (angle > 1e-6) {
-                turned.crank_angle_deg.push_back(angle);
-                turned.torque.push_back(torque);
-            }
-        }
-        turned.crank_angle_deg.push_back(720.0);
-        turned.torque.push_back(first);
-        const BestPositions there = PositionStudy(Solver(with_table(turned))).best();
-        for (const auto& [one, other] :
-             {std::pair(*best.range, *there.range), std::pair(*best.rms, *there.rms)}) {
-            EXPECT_NEAR(other.position.centre_distance(), one.position.centre_distance(), 1e-9);
-            EXPECT_NEAR(std::remainder(other.position.shaft_angle() + delta * degree -
-                                           one.position.shaft_angle(),
-                                       2.0 * pi),
-                        0.0, 1e-8);
-        }
-        EXPECT_NEAR(there.range->criteria.range, best.range->criteria.range, 1e-9);
-    }
-}
-
-TEST(PositionStudyTest, scalingTheTorqueScalesTheDistance) {
-    TorqueTable table = random_table(22, 50);
-    const BestPositions best = PositionStudy(Solver(with_table(table))).best();
-    for (double& torque : table.torque) {
-        torque *= 3.5;
-    }
-    const BestPositions scaled = PositionStudy(Solver(with_table(table))).best();
-    EXPECT_NEAR(scaled.range->position.centre_distance(),
-                3.5 * best.range->position.centre_distance(), 1e-9);
-    EXPECT_NEAR(scaled.range->position.shaft_angle(), best.range->position.shaft_angle(), 1e-8);
-    EXPECT_NEAR(scaled.rms->position.centre_distance(), 3.5 * best.rms->position.centre_distance(),
-                1e-12);
-}
-
 TEST(PositionStudyTest, theMapHoldsWhatItsPlacesHave) {
     Input cubic = with_table(random_table(9, 12));
     cubic.interpolation = Interpolation::periodic_cubic;

@@ -253,22 +253,6 @@ TEST(BalanceShaft, MomentsScaleTogether) {
     }
 }
 
-TEST(BalanceShaft, AMirroredEngineHasAMirroredBestAngle) {
-    // Torque run backwards and negated: f(φ) → −f(−φ) mirrors α → −α.
-    Input input = preset_tmz_650d();
-    const Result reference = solve(input);
-    std::reverse(input.torque.table.torque.begin(), input.torque.table.torque.end());
-    for (double& torque : input.torque.table.torque) {
-        torque = -torque;
-    }
-    const Result result = solve(input);
-    EXPECT_NEAR(result.best_range.value, reference.best_range.value, 1e-9);
-    EXPECT_LE(angular_distance(*result.best_range.shaft_angle, -*reference.best_range.shaft_angle),
-              1e-8);
-    EXPECT_LE(angular_distance(*result.best_rms.shaft_angle, -*reference.best_rms.shaft_angle),
-              1e-9);
-}
-
 TEST(BalanceShaft, AShaftWithoutMomentChangesNothingAndSaysSo) {
     for (const bool by_distance : {true, false}) {
         Input input = preset_tmz_650d();
