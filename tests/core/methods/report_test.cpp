@@ -74,16 +74,6 @@ TEST(MethodsReport, TellsWhereMethodsFailAlongEveryHardParameter) {
     EXPECT_TRUE(only_along_another);  // the closed form, at speeds that no spring here allows
 }
 
-TEST(MethodsReport, TheParagraphNamesSceneMethodAndWhy) {
-    for (const Kernel& kernel : kernels()) {
-        const std::string paragraph = choice_paragraph(kernel);
-        EXPECT_TRUE(says(paragraph, std::string(kernel.choice.scene))) << paragraph;
-        EXPECT_TRUE(says(paragraph, kernel.methods[kernel.chosen_method()].title.english))
-            << paragraph;
-        EXPECT_TRUE(says(paragraph, kernel.choice.reason.english)) << paragraph;
-    }
-}
-
 TEST(MethodsReport, TextAndCsvHoldTheSameRows) {
     const KernelReport report = measure_kernel(*find_kernel("moment-range"), quick);
     const std::string text = write_text(report);

@@ -198,25 +198,6 @@ TEST(Validation, OurNumbersBesideWhatIsWrongInPrintAreRight) {
     }
 }
 
-/// The paper says for no α that its mean falls by 12 to 16 %: the rows name those that they take.
-TEST(Validation, WhatWasChosenByUsIsSaid) {
-    const auto rows = rows_of("balance-shaft", "cut of the mean moment");
-    EXPECT_TRUE(rows.at(0).quantity.english().ends_with("by our choice at α = 30°"));
-    EXPECT_TRUE(rows.at(1).quantity.english().ends_with("by our choice at α = 45°"));
-    EXPECT_TRUE(rows[0].reason.english().starts_with("The paper names no α"));
-    // Told otherwise than printed, and it says so.
-    EXPECT_TRUE(says(rows_of("inertia-moments", "offset e").front().reason.english(), "12.51"));
-}
-
-TEST(Validation, APaperWhoseYearIsNotKnownIsCitedSo) {
-    for (const Paper& paper : papers()) {
-        const std::string citation = paper.citation.english();
-        EXPECT_EQ(citation.ends_with(" or later"),
-                  paper.scene == "balance-shaft" || paper.scene == "v8-plugs")
-            << citation;
-    }
-}
-
 TEST(Validation, DecidesByTheNumbersAlone) {
     constexpr double half = 0.05;
     const auto none = std::optional<double>{};
