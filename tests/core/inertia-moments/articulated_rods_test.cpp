@@ -211,36 +211,6 @@ TEST(ArticulatedRods, ScaleOfMomentsIsThatOfForcesTimesTheirLever) {
     }
 }
 
-TEST(ArticulatedRods, AKnuckleAtTheCrankpinIsAPlainRod) {
-    Input input = test::irregular_star();
-    for (Cylinder& cylinder : input.cylinders) {
-        if (cylinder.articulated) {
-            cylinder.articulated->knuckle_radius = 0.0;
-            cylinder.articulated->rod_length.reset();
-        }
-    }
-    const Result hung = solve(input);
-    const Result plain = solve(without_articulated(input));
-    const double unit = plain.engine.force_unit();
-    for (const auto& [a, b] :
-         {std::pair(&hung.exact, &plain.exact), std::pair(&hung.two_term, &plain.two_term)}) {
-        for (std::size_t k = 0; k < a->orders.size(); ++k) {
-            const EngineOrder& left = a->orders[k];
-            const EngineOrder& right = b->orders[k];
-            EXPECT_NEAR((left.force - right.force).max(), 0.0, 1e-13 * unit);
-            EXPECT_NEAR((left.moment - right.moment).max(), 0.0, 1e-13 * unit);
-            EXPECT_NEAR(left.roll().cos, right.roll().cos, 1e-13 * unit);
-            EXPECT_NEAR(left.roll().sin, right.roll().sin, 1e-13 * unit);
-        }
-    }
-    for (std::size_t i = 0; i < input.cylinders.size(); ++i) {
-        EXPECT_NEAR(hung.engine.top_dead_centre(i), plain.engine.top_dead_centre(i), 1e-14);
-        EXPECT_NEAR(hung.engine.crank(i).bottom_dead_centre(),
-                    plain.engine.crank(i).bottom_dead_centre(), 1e-14);
-        EXPECT_NEAR(hung.engine.stroke(i), plain.engine.stroke(i), 1e-15);
-    }
-}
-
 // By hand, with a = ρλ/l, b = ρλ²/2 + ρ²λ²/(2l) and lengths in R: an articulated piston stands at
 // cos θ − sin²θ/(2l) + a sin θ sin φ − b sin²φ but for a constant. Round the star the second term
 // adds up to nothing and the third to (N/2) a (e^{2iφ} − 1)/(2i); the master's cylinder has none of
@@ -435,31 +405,6 @@ TEST(Comparison, RoundingOfTheTwoTermFormIsNothing) {
     EXPECT_EQ(nothing.two_term, 0.0);
     EXPECT_FALSE(nothing.relative.has_value());
     EXPECT_EQ(roll_of(exact, exact).two_term, 5.0);
-}
-
-// A mass at the knuckle pins: with one at each of N evenly spaced ones it would swing round its own
-// centre, the crankpin; the master's has none, so that N − 1 of them miss one.
-TEST(ArticulatedRods, KnuckleMassesMissThatOfTheMaster) {
-    Input input = star(9, 0.25, 0.75);
-    input.rotating_mass = 1.0;
-    const Result without = solve(input);
-    for (std::size_t i = 1; i < 9; ++i) {
-        input.cylinders[i].articulated->knuckle_mass = 0.6;
-    }
-    const Result with = solve(input);
-    const ArticulatedCrank crank = with.engine.crank(1);
-    const double factor = 0.6 * with.engine.crank_radius * std::pow(with.engine.angular_speed, 2);
-    for (std::size_t i = 0; i < with.curves.crank_angle.size(); i += 20) {
-        const auto swing = crank.master.rod_at(with.curves.crank_angle[i]);
-        // −m ρ d²/dφ² of −e^{iψ} on the master's axis, up.
-        const Complex arm = 0.75 * std::polar(1.0, swing.psi);
-        const Complex expected = factor * Complex(0.0, 1.0) *
-                                 (Complex(0.0, swing.d2psi) - swing.dpsi * swing.dpsi) * arm;
-        EXPECT_NEAR(with.curves.force_x[i] - without.curves.force_x[i], expected.real(),
-                    1e-11 * factor);
-        EXPECT_NEAR(with.curves.force_y[i] - without.curves.force_y[i], expected.imag(),
-                    1e-11 * factor);
-    }
 }
 
 TEST(ArticulatedRods, BadInputIsNamedByItsField) {
