@@ -434,17 +434,6 @@ TEST(AVariantOfAFile, SaysEverywhereThatTheFileHasChanged) {
     EXPECT_TRUE(says(dialog, u"C: "_s + wanted));
 }
 
-TEST(VariantsSideBySide, ScrollWhereTheyAreMany) {
-    InertiaMomentsPage page;
-    page.viewModel()->chooseLayout(u"vr6"_s);
-    page.viewModel()->makeTable();
-    page.model()->keepVariant();
-    page.viewModel()->chooseLayout(u"v2-45"_s);
-    const VariantTable dialog(&page, nullptr);
-    ASSERT_GT(dialog.table()->rowCount(), 20);
-    EXPECT_LT(dialog.minimumSizeHint().height(), 420);
-}
-
 TEST(VariantsSideBySide, MarkTheBestAndSayNothingOfWhatIsEqual) {
     const auto page = test::makePage("balance-shaft");
     SceneModel& model = *page->model();
@@ -527,51 +516,12 @@ TEST_P(EveryPagesVariants, AReferenceThatIsRejectedSaysWhy) {
     EXPECT_TRUE(said.last().at(0).toString().contains(model().variantTrouble(0)));
 }
 
-TEST_P(EveryPagesVariants, AnotherReferenceIsReportedOnce) {
-    model().keepVariant();
-    changeByKeys();
-    model().keepVariant();
-    QSignalSpy reported(&model().referenceCase(), &ReferenceCase::changed);
-    model().chooseReference(0);
-    EXPECT_EQ(reported.size(), 1);
-    model().chooseReference(-1);
-    EXPECT_EQ(reported.size(), 2);
-}
-
 TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {
     model().keepVariant();
     changeByKeys();
     page.reset();
     QApplication::processEvents();
 }
-
-/// What only the crank's side view, only the guide shows.
-struct Detail {
-    const char* scene;
-    const char* key;
-    const char* value;
-};
-
-class PictureOfAReference : public ::testing::TestWithParam<Detail> {};
-
-TEST_P(PictureOfAReference, ShowsTheDetailThatDiffers) {
-    const Detail detail = GetParam();
-    const std::unique_ptr<ScenePage> page = test::makePage(detail.scene);
-    test::showAt(*page, {1280, 800});
-    SceneModel& model = *page->model();
-    auto* picture = page->findChild<MechanismPicture*>();
-    ASSERT_NE(picture, nullptr);
-    model.keepVariant();
-    model.setByKey(QString::fromLatin1(detail.key), QString::fromLatin1(detail.value));
-    const QImage againstOther = picture->grab().toImage();
-    model.keepVariant();  // the reference is now what is shown
-    EXPECT_NE(picture->grab().toImage(), againstOther);
-}
-
-INSTANTIATE_TEST_SUITE_P(Pages, PictureOfAReference,
-                         ::testing::Values(Detail{"inertia-moments", "reference_position_mm", "60"},
-                                           Detail{"elastic-hinge", "spring/stiffness_N_m", "1e7"}),
-                         [](const auto& each) { return test::testName(each.param.scene); });
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryPagesVariants,
                          ::testing::ValuesIn(test::sceneNamesWithCases()),
