@@ -10,7 +10,6 @@
 #include <QXmlStreamReader>
 #include <cmath>
 
-#include "events.h"
 #include "pictures/clipped_svg.h"
 #include "plot/plot_view.h"
 
