@@ -5,10 +5,8 @@
 #include <QComboBox>
 #include <QHelpEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QTabBar>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -16,7 +14,6 @@
 #include <utility>
 
 #include "events.h"
-#include "text/text_width.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
@@ -57,23 +54,6 @@ TEST(NamedRows, AChoiceShowsItsLongestEntry) {
     EXPECT_GT(longest->x(), 0);
 }
 
-TEST(NamedRows, ATextLeavesItsNameOneLine) {
-    QWidget form;
-    auto* column = new QVBoxLayout(&form);
-    auto* section = new FormSection({}, &form);
-    column->addWidget(section);
-    auto* field = new QLineEdit(section);
-    section->addWidget(u"&Firing order"_s, field);
-    const auto* name = field->parentWidget()->findChild<QLabel*>();
-    ASSERT_NE(name, nullptr);
-    const int text = name->fontMetrics().horizontalAdvance(u"Firing order"_s);
-    for (int width = 240; width < 330; width += 5) {
-        test::showAt(form, {width, 240});
-        // On a screen of many pixels it is painted somewhat wider.
-        EXPECT_TRUE(field->x() == 0 || name->width() >= text + 4) << width;
-    }
-}
-
 TEST(NamedRows, AUnitStaysBesideAFieldWhateverStandsInIt) {
     FormSection section({});
     auto* field = new NumberField(&section);
@@ -101,32 +81,6 @@ TEST(FittedTabs, NeedTheHeightOfWhatIsInFront) {
     EXPECT_LT(tabs.minimumSizeHint().height(), 200);
     tabs.setCurrentIndex(1);
     EXPECT_GT(tabs.minimumSizeHint().height(), 600);
-}
-
-/// What it shows at a size does not depend on the sizes that it had.
-TEST(FittedTabs, GroupsHaveRoomForTheirTitlesWhateverTheWidthWas) {
-    FittedTabs tabs;
-    for (const auto& [group, titles] :
-         {std::pair(u"Design"_s, QStringList{u"Moments"_s, u"Map"_s, u"Speed"_s, u"Size"_s}),
-          std::pair(u"Part"_s, QStringList{u"Relief"_s})}) {
-        tabs.beginGroup(group);
-        for (const QString& title : titles) {
-            tabs.addTab(new QWidget, title);
-        }
-    }
-    int looked = 0;
-    for (const int width : {150, 600, 300}) {
-        test::showAt(tabs, {width, 200});
-        for (const QTabBar* bar : tabs.findChildren<QTabBar*>()) {
-            const int beside = bar->style()->pixelMetric(QStyle::PM_TabBarTabHSpace, nullptr, bar);
-            for (int i = 0; bar->count() == 2 && i < bar->count(); ++i, ++looked) {
-                EXPECT_GE(bar->tabRect(i).width() + 1,
-                          textWidth(bar->font(), bar->tabText(i)) + beside)
-                    << width;
-            }
-        }
-    }
-    EXPECT_EQ(looked, 6);
 }
 
 TEST(Scrolled, HasNoBarThatIsNeededOnlyForItsOwnRoom) {
