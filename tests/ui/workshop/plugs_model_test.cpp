@@ -7,8 +7,6 @@
 #include <QTemporaryDir>
 #include <algorithm>
 
-#include "case-file/input_error.h"
-#include "case-file/result_json.h"
 #include "job_page_test.h"
 #include "v8-plugs/presets.h"
 #include "workshop/doubts.h"

@@ -1,19 +1,15 @@
 // The answer of a job with plugs, its plots and the keys of the page.
 
-#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "job_page_test.h"
 #include "page/part_views.h"
-#include "painted.h"
 #include "shop/scale_input.h"
 #include "theme/theme.h"
 #include "widgets/entry_field.h"
-#include "widgets/result_table.h"
 #include "workshop/journal_dialog.h"
 
 namespace ravnoves {
@@ -186,22 +182,6 @@ TEST_F(PlugsPageTest, PlotsShowLinesLimitsAndToday) {
         EXPECT_NEAR(*partPlot(page, "shift")->valueAt(static_cast<int>(i), 1.2),
                     1.2e-3 / shift_curves[i].crank_radius, 1e-9);
     }
-}
-
-TEST_F(PlugsPageTest, ItsKeysWorkWhereverTheFocusIs) {
-    QWidget window;
-    QVBoxLayout column(&window);
-    QPushButton other(u"Other"_s, &window);
-    column.addWidget(&other);
-    column.addWidget(&page);
-    test::showAt(window, {1187, 760});
-    ASSERT_TRUE(test::becomesActive(window));
-    type("engine_number", u"53-11"_s);
-    other.setFocus();
-    ASSERT_TRUE(other.hasFocus());
-    QTest::keyClick(&other, Qt::Key_F2);
-    EXPECT_TRUE(test::comes([this] { return model->desk()->jobId() != 0; }));
-    page.setParent(nullptr);
 }
 
 TEST_F(PlugsPageTest, SheetsOfTheNextJobBeginAtTheirFirstEmptyField) {

@@ -8,7 +8,6 @@
 
 #include "job_page_test.h"
 #include "model/case_document.h"
-#include "shop/checked_field.h"
 #include "shop/scale_input.h"
 #include "v8-plugs/presets.h"
 
