@@ -21,17 +21,12 @@
 #include "balance-shaft/model/torque_table_model.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "balance-shaft/torque_table_editor.h"
-#include "case-file/json.h"
-#include "case-file/text_file.h"
 #include "import_file.h"
 #include "page_fixture.h"
-#include "widgets/apart.h"
 #include "widgets/verdict_line.h"
 
 namespace ravnoves {
 namespace {
-
-using By = BalanceShaftModel::Criterion;
 
 class BalanceShaftPageTest : public test::PageTest<BalanceShaftPage> {
   protected:

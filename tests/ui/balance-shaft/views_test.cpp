@@ -18,9 +18,7 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "model/background_job.h"
 #include "page_fixture.h"
-#include "pictures/file_dialogs.h"
 #include "theme/theme.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
 namespace {

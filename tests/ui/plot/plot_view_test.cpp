@@ -16,7 +16,6 @@
 #include "plot/legend_item.h"
 #include "plot/model/figure.h"
 #include "plot/model/ticks.h"
-#include "theme/theme.h"
 #include "widgets/mnemonics.h"
 
 namespace ravnoves {

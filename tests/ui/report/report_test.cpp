@@ -35,7 +35,6 @@
 #include "studies/tolerance_bands.h"
 #include "text/language.h"
 #include "text/message_text.h"
-#include "theme/theme.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {

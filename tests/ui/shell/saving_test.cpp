@@ -28,7 +28,6 @@
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
-#include "shell/new_cases.h"
 #include "shell/screenshot.h"
 #include "text/file_path.h"
 #include "widgets/number_field.h"
@@ -82,7 +81,6 @@ class SavingTest : public ::testing::Test {
         QEvent activated(QEvent::WindowActivate);
         QApplication::sendEvent(&window.documents(), &activated);
     }
-    void saveAs() { press(Qt::Key_S, Qt::ShiftModifier); }
     /// The example with its torque in a file beside it.
     QString caseWithTable(const char* folderName) {
         EXPECT_TRUE(QDir(folder.path()).mkpath(QString::fromUtf8(folderName)));

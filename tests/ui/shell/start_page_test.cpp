@@ -16,7 +16,6 @@
 #include "events.h"
 #include "model/case_document.h"
 #include "page/scene_page.h"
-#include "scene_tests.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/new_cases.h"

@@ -11,7 +11,6 @@
 
 #include "events.h"
 #include "page/mechanism_picture.h"
-#include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/form_section.h"
 
