@@ -39,6 +39,8 @@ OF_WORK = {
     "turn_of(result.remaining_angle + pi)": "half a turn is the same place either way round",
     "-a.key - limit": "all placings prove what the exchanges found before: no case is "
                         "known where they find more",
+    "each / search_.rounding": "placings that are alike are compared once; the exchanges find the best "
+                               "without them",
     "(maximum - min_lambda) / scans": "where a search begins",
     "root(beyond, time[i] - time[i - 1]": "an interval around one root; a longer one has the same",
     "std::abs(next - t) < previous_width": "when Newton's steps give way to halves; the root is the same",

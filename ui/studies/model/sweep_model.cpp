@@ -26,7 +26,7 @@ namespace {
 constexpr int places = 121;
 constexpr int sweepRestMs = 200;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Samples of the inputs behind the first, which is swept.
 std::vector<std::vector<double>> othersOf(const studies::Problem& problem) {
@@ -44,7 +44,7 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
     const auto samples = static_cast<double>(values.size());
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
     if (values.empty()) {
-        return {x, none, none, none, none, 0.0};
+        return {x, nothing, nothing, nothing, nothing, 0.0};
     }
     std::sort(values.begin(), values.end());
     const double sum = std::accumulate(values.begin(), values.end(), 0.0);
@@ -63,14 +63,14 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
 
 /// Solves the samples at each value of the input that is swept; a second watched value says whether
 /// one can be built.
-/// @return none where it was stopped
+/// @return nothing where it was stopped
 std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
                                    const studies::Problem& problem,
                                    const std::vector<std::vector<double>>& samples,
                                    studies::Progress& progress) {
     const std::size_t watched = problem.study.watch.size();
     std::vector<std::vector<double>> found(values.size(),
-                                           std::vector<double>(samples.size(), none));
+                                           std::vector<double>(samples.size(), nothing));
     std::vector<std::vector<char>> built(values.size(), std::vector<char>(samples.size()));
     // One core stays free for the window.
     std::vector<std::unique_ptr<Response>> responses(
