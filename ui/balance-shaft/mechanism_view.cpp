@@ -9,6 +9,7 @@
 
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/position_study.h"
 #include "model/reference_case.h"
 #include "numerics/constants.h"
 #include "pictures/model/shape.h"
