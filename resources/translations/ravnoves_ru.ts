@@ -13855,14 +13855,6 @@ but no position is feasible</source>
         <translation>Измерить эту величину ещё раз, с большим числом повторений (F5)</translation>
     </message>
     <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Экспорт…</translation>
-    </message>
-    <message>
-        <source>Export the table in front as CSV, or the charts as SVG or PNG</source>
-        <translation>Записать показанную таблицу в CSV либо графики в SVG или PNG</translation>
-    </message>
-    <message>
         <source>Quantity</source>
         <translation>Величина</translation>
     </message>
@@ -13945,14 +13937,6 @@ but no position is feasible</source>
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Экспорт</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>Записано: %1</translation>
     </message>
     <message>
         <source>Beyond the tolerance: %1.</source>

@@ -1,14 +1,12 @@
 #include "methods/method_plots.h"
 
 #include <QLocale>
-#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "case-file/decimal.h"
 #include "methods/model/method_words.h"
-#include "pictures/picture_file.h"
 #include "plot/model/figure.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -279,15 +277,6 @@ void MethodPlots::follow() {
     // Errors along the parameter do not depend on its value, so a drag leaves them as they are.
     const bool isOther = shown == nullptr || !isSame;
     stability_->setFaded(isOther, isOther ? text : QString());
-}
-
-QString MethodPlots::exportPicture(const QString& path) {
-    return writePicture(path, size(), work_->title(), [this](QPainter& painter, double scale) {
-        for (PlotView* plot : {work_, stability_}) {
-            const QRectF target(plot->geometry());
-            plot->renderTo(painter, QRectF(target.topLeft() * scale, target.size() * scale));
-        }
-    });
 }
 
 }  // namespace ravnoves

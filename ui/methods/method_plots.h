@@ -17,10 +17,6 @@ class MethodPlots : public FoldingRow {
   public:
     explicit MethodPlots(MethodsModel* model, QWidget* parent = nullptr);
 
-    /// Both charts side by side, as SVG or PNG by the file's ending.
-    /// @return an empty string, or what went wrong
-    QString exportPicture(const QString& path);
-
   private:
     void follow();
 

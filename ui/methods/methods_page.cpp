@@ -15,11 +15,9 @@
 #include "methods/model/case_budget_model.h"
 #include "methods/model/method_words.h"
 #include "methods/validation_view.h"
-#include "pictures/file_dialogs.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
-#include "text/write_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -115,9 +113,6 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
         tabs_->setCurrentWidget(charts_);
         model_->measureAgain();
     });
-    exportAction_ = new QAction(themedIcon(QStringLiteral("export")), tr("&Export…"), this);
-    exportAction_->setToolTip(tr("Export the table in front as CSV, or the charts as SVG or PNG"));
-    connect(exportAction_, &QAction::triggered, this, &MethodsPage::exportWithDialog);
 
     connect(model_, &MethodsModel::kernelChanged, this, &MethodsPage::showKernel);
     connect(model_, &MethodsModel::sweepChanged, this, &MethodsPage::showSweep);
@@ -487,27 +482,6 @@ void MethodsPage::updateActive() {
     }
     if (isInFront(validation_)) {
         validation_->load();
-    }
-}
-
-QString MethodsPage::exportTo(const QString& path) {
-    if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return plots_->exportPicture(path);
-    }
-    return writeFile(path, [this] { return resultsAsCsv().toStdString(); });
-}
-
-void MethodsPage::exportWithDialog() {
-    const bool charts = isInFront(charts_);
-    const QString name =
-        charts ? QStringLiteral("methods-") + QString::fromStdString(model_->kernel().id)
-               : tabs_->currentWidget()->objectName();
-    const QString path =
-        saveFile(this, tr("Export"), name + QStringLiteral(".csv"),
-                 charts ? QList{csvFormat()} + pictureFormats() : QList{csvFormat()},
-                 std::bind_front(&MethodsPage::exportTo, this));
-    if (!path.isEmpty()) {
-        Q_EMIT status(tr("Exported %1").arg(path));
     }
 }
 

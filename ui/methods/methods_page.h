@@ -28,15 +28,11 @@ class MethodsPage : public ScenePage {
 
     SceneModel* model() override { return model_; }
     MethodsModel* viewModel() { return model_; }
-    QList<QAction*> sceneActions() override { return {againAction_, exportAction_}; }
+    QList<QAction*> sceneActions() override { return {againAction_}; }
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
     void setOpenCases(const OpenCases& cases) override { openCases_ = cases; }
-
-    /// Writes the tab in front by the file's ending: its table as CSV, the charts as SVG or PNG.
-    /// @return an empty string, or what went wrong
-    QString exportTo(const QString& path);
 
     // For tests and for the frame benchmark.
     ResultTable* table() const { return table_; }
@@ -61,7 +57,6 @@ class MethodsPage : public ScenePage {
     void showVerdict();
     void showRunning();
     void chooseRow();
-    void exportWithDialog();
 
     MethodsModel* model_;
     bool active_ = false;  ///< the page is in front
@@ -86,7 +81,6 @@ class MethodsPage : public ScenePage {
     ValidationView* validation_ = nullptr;
     VerdictLine* verdict_ = nullptr;
     QAction* againAction_ = nullptr;
-    QAction* exportAction_ = nullptr;
 };
 
 }  // namespace ravnoves

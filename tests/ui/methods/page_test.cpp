@@ -5,26 +5,21 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QFile>
-#include <QImage>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <cmath>
 
 #include "events.h"
-#include "files.h"
 #include "methods/method_plots.h"
 #include "methods/model/case_budget_model.h"
 #include "methods/model/method_words.h"
 #include "methods/validation_view.h"
 #include "methods_support.h"
 #include "page_fixture.h"
-#include "pictures/picture_file.h"
 #include "shell/main_window.h"
 #include "text/csv_format.h"
 #include "theme/theme.h"
@@ -45,7 +40,6 @@ class MethodsPageTest : public test::PageTest<MethodsPage> {
 
     QTabWidget* tabs = page.findChild<QTabWidget*>({}, Qt::FindDirectChildrenOnly);
     MethodPlots* plots = page.findChild<MethodPlots*>();
-    QTemporaryDir folder;
 };
 
 /// A value that was typed and given up leaves nothing behind.
@@ -186,26 +180,6 @@ TEST_F(MethodsPageTest, MeasuresAgainAndCancels) {
     EXPECT_GT(progressed.count(), 3);
 }
 
-TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
-    measure();
-    const QString csv = folder.filePath(QStringLiteral("m.csv"));
-    ASSERT_EQ(page.exportTo(csv), QString());
-    const QList<QByteArray> lines = test::contentOf(csv).trimmed().split('\n');
-    EXPECT_EQ(lines.size(), 1 + page.table()->rowCount());
-    EXPECT_TRUE(lines.first().contains("median_ns"));
-    const QString svg = folder.filePath(QStringLiteral("m.svg"));
-    ASSERT_EQ(page.exportTo(svg), QString());
-    const QByteArray text = test::contentOf(svg);
-    EXPECT_TRUE(text.contains("Slider-crank kinematics: time and error"));
-    EXPECT_TRUE(text.contains("10⁻⁹"));
-    const QString png = folder.filePath(QStringLiteral("m.png"));
-    ASSERT_EQ(page.exportTo(png), QString());
-    EXPECT_EQ(QImage(png).width(), qRound(plots->width() * 300.0 / 96.0));
-    EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.csv")), QString());
-    EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.svg")), QString());
-    EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.png")), QString());
-}
-
 /// Times and orders are for those who ask for them.
 TEST_F(MethodsPageTest, NanosecondsAreBehindDetails) {
     measure();
@@ -248,9 +222,6 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     const QString csv = QApplication::clipboard()->text();
     EXPECT_EQ(csv.count(QLatin1Char('\n')), 1 + view->table()->rowCount());
     EXPECT_EQ(page.resultsAsCsv(), csv);
-    const QString path = folder.filePath(QStringLiteral("validation.csv"));
-    EXPECT_EQ(page.exportTo(path), QString());
-    EXPECT_EQ(QFile(path).size(), csv.toUtf8().size());
     view->table()->setFocus();
     QTest::keyClick(view->table(), Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 1);

@@ -63,7 +63,7 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
 
 /// Solves the samples at each value of the input that is swept; a second watched value says whether
 /// one can be built.
-/// @return nothing where it was stopped
+/// @return none where it was stopped
 std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
                                    const studies::Problem& problem,
                                    const std::vector<std::vector<double>>& samples,
