@@ -40,14 +40,16 @@ HingeInputs::HingeInputs(ElasticHingeModel* model, QWidget* parent)
     column()->addStretch();
 }
 
-void HingeInputs::addObjectBox(const Field& field, const QString& name,
-                               std::function<bool(const Input&)> has,
-                               std::function<void(Input&, bool)> set) {
+template <typename Object>
+void HingeInputs::addObjectBox(const Field& field, std::optional<Object> Input::*object,
+                               const char* name, std::function<Object(const Input&)> usual) {
     box(
-        name, shownText(field.label), fieldHint(field),
-        [this, has = std::move(has)] { return has(model_->input()); },
-        [this, step = fieldName(field), set = std::move(set)](bool on) {
-            model_->edit(step, [&](Input& input) { set(input, on); });
+        QLatin1String(name), shownText(field.label), fieldHint(field),
+        [this, object] { return (model_->input().*object).has_value(); },
+        [=, this, step = fieldName(field)](bool on) {
+            model_->edit(step, [&](Input& input) {
+                input.*object = on ? std::optional(usual(input)) : std::nullopt;
+            });
         });
 }
 
@@ -106,13 +108,8 @@ void HingeInputs::addSprings() {
                               fieldName(field::free_length));
         });
     choice("/guide_sign");
-    addObjectBox(
-        field::rod_hinge_spring, QStringLiteral("own_rod_spring"),
-        [](const Input& input) { return input.rod_hinge_spring.has_value(); },
-        [](Input& input, bool on) {
-            input.rod_hinge_spring =
-                on ? std::optional(input.spring.value_or(Spring{})) : std::nullopt;
-        });
+    addObjectBox<Spring>(field::rod_hinge_spring, &Input::rod_hinge_spring, "own_rod_spring",
+                         [](const Input& input) { return input.spring.value_or(Spring{}); });
     section({});
     showSectionWhile([](const Input& input) { return input.rod_hinge_spring.has_value(); });
     for (const char* pointer :
@@ -125,12 +122,9 @@ void HingeInputs::addSprings() {
 
 void HingeInputs::addCounterweight() {
     section(tr("Counterweight on the rod"));
-    addObjectBox(
-        field::rod_counterweight, QStringLiteral("rod_counterweight"),
-        [](const Input& input) { return input.rod_counterweight.has_value(); },
-        [](Input& input, bool on) {
-            input.rod_counterweight = on ? std::optional(RodCounterweight{}) : std::nullopt;
-        });
+    addObjectBox<RodCounterweight>(field::rod_counterweight, &Input::rod_counterweight,
+                                   "rod_counterweight",
+                                   [](const Input&) { return RodCounterweight{}; });
     for (const bool weights : {true, false}) {
         section({});
         showSectionWhile([weights](const Input& input) {

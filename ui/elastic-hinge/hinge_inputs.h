@@ -23,8 +23,9 @@ class HingeInputs : public Form {
     void addCounterweight();
     void addMotion();
     /// A box to tick for an object that the input may have.
-    void addObjectBox(const Field& field, const QString& name,
-                      std::function<bool(const Input&)> has, std::function<void(Input&, bool)> set);
+    template <typename Object>
+    void addObjectBox(const Field& field, std::optional<Object> Input::*object, const char* name,
+                      std::function<Object(const Input&)> usual);
     /// Shows the section of the following rows only while the input needs it.
     void showSectionWhile(std::function<bool(const Input&)> wanted);
     /// A number that an emptied field does not take back to its default.

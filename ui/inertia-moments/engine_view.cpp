@@ -98,6 +98,14 @@ std::pair<double, double> sideBounds(const InertiaMomentsModel& model) {
     return {first - margin, last + margin};
 }
 
+QPolygonF pistonOf(const CylinderPose& pose, double radius, const drawing::Frame& frame) {
+    const Complex across = pose.axis_direction * Complex(0.0, 0.95 * pistonHalf * radius);
+    const Complex crown = pose.piston_pin + pose.axis_direction * 0.6 * radius;
+    const Complex skirt = pose.piston_pin - pose.axis_direction * 0.35 * radius;
+    return {frame.at(crown + across), frame.at(crown - across), frame.at(skirt - across),
+            frame.at(skirt + across)};
+}
+
 QRectF weightBlock(const QPointF& centre, double radiusPixels) {
     const QPointF half(0.16 * radiusPixels, 0.3 * radiusPixels);
     return {centre - half, centre + half};
@@ -122,18 +130,12 @@ EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
 void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) const {
     const Engine& engine = referenceOf(model_)->result().engine;
     const double radius = engine.crank_radius;
-    const double half = 0.95 * pistonHalf * radius;
     painter.setPen(ghostPen());
     painter.setBrush(Qt::NoBrush);
     paintDisc(painter, frame.at(0.0, 0.0), frame.length(radius));
     for (const CylinderPose& pose :
          inertia_moments::engine_pose(engine, model_->crank()->degrees() * degree)) {
-        const Complex axial = pose.axis_direction;
-        const Complex across = axial * Complex(0.0, half);
-        const Complex crown = pose.piston_pin + axial * 0.6 * radius;
-        const Complex skirt = pose.piston_pin - axial * 0.35 * radius;
-        painter.drawPolygon(QPolygonF{frame.at(crown + across), frame.at(crown - across),
-                                      frame.at(skirt - across), frame.at(skirt + across)});
+        painter.drawPolygon(pistonOf(pose, radius, frame));
         painter.drawPolyline(QPolygonF{frame.at(pose.piston_pin), frame.at(pose.rod_foot),
                                        frame.at(pose.crankpin), frame.at(0.0, 0.0)});
     }
@@ -285,14 +287,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         body.setAlphaF(0.86F);
         painter.setPen(QPen(bank, 1.0));
         painter.setBrush(body);
-        const Complex axial = pose.axis_direction;
-        const Complex across = axial * Complex(0.0, 1.0);
-        const double skirt = 0.35 * radius;
-        const double head = 0.6 * radius;
-        paintPolygon(painter, {frame.at(pose.piston_pin + axial * head + across * 0.95 * half),
-                               frame.at(pose.piston_pin + axial * head - across * 0.95 * half),
-                               frame.at(pose.piston_pin - axial * skirt - across * 0.95 * half),
-                               frame.at(pose.piston_pin - axial * skirt + across * 0.95 * half)});
+        paintPolygon(painter, pistonOf(pose, radius, frame));
         const QPointF pin = frame.at(pose.rod_foot);
         const QPointF piston = frame.at(pose.piston_pin);
         drawing::drawBar(painter, pin, piston, thick, body, theme.text());

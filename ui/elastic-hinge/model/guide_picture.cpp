@@ -15,10 +15,6 @@ void GuidePicture::Path::add(double radius, double angle) {
     y.push_back(radius * std::sin(angle) / units::mm);
 }
 
-void GuidePicture::Path::add(const PlanePoint& point, double radius) {
-    add(radius, std::atan2(point.y, point.x));
-}
-
 double GuidePicture::Path::reach() const {
     double maximum = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -61,7 +57,7 @@ GuidePicture::Path GuidePicture::profile(double roller_radius) const {
     for (int i = 0; i <= steps && guide_.feasible && roller_radius > 0.0; ++i) {
         const PlanePoint p = elastic_hinge::offset_point(
             guide_.shape->at(guide_.branch, two_pi * i / steps), offset);
-        path.add(p, drawn(std::hypot(p.x, p.y), start(guide_.branch) + offset));
+        path.add(drawn(std::hypot(p.x, p.y), start(guide_.branch) + offset), std::atan2(p.y, p.x));
     }
     return path;
 }

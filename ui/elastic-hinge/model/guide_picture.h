@@ -18,7 +18,6 @@ class GuidePicture {
         std::vector<double> y;
 
         void add(double radius, double angle);  ///< m, rad
-        void add(const elastic_hinge::PlanePoint& point, double radius);
         double reach() const;  ///< maximum distance from the centre, mm
     };
 

@@ -275,33 +275,21 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
     }
     if (section >= TopDeadCentre) {
         const bool isStroke = section == Stroke;
-        switch (role) {
-            case Qt::DisplayRole:
-                return isStroke ? shownTitle(tr("stroke, mm")).text : tr("TDC, °");
-            case Qt::ToolTipRole:
-                return isStroke ? tr("Stroke of the piston; follows from the other values")
-                                : tr("Top dead centre: the crank's angle from the cylinder's axis; "
-                                     "follows from the other values");
-            default:
-                return {};
+        if (role == Qt::DisplayRole) {
+            return isStroke ? shownTitle(tr("stroke, mm")).text : tr("TDC, °");
         }
+        return role != Qt::ToolTipRole ? QVariant()
+               : isStroke              ? tr("Stroke of the piston; follows from the other values")
+                          : tr("Top dead centre: the crank's angle from the cylinder's axis; "
+                               "follows from the other values");
     }
     const Field& field = fieldOf(section);
-    switch (role) {
-        case Qt::DisplayRole: {
-            if (section == Master) {
-                return tr("master");
-            }
-            const QString symbol =
-                QString::fromUtf8(field.symbol.data(), static_cast<qsizetype>(field.symbol.size()));
-            const QString unit = shownUnit(field.unit).name;
-            return titleWithUnit(symbol, unit);
-        }
-        case Qt::ToolTipRole:
-            return fieldHint(field);
-        default:
-            return {};
+    if (role == Qt::DisplayRole) {
+        const QString symbol =
+            QString::fromUtf8(field.symbol.data(), static_cast<qsizetype>(field.symbol.size()));
+        return section == Master ? tr("master") : titleWithUnit(symbol, shownUnit(field.unit).name);
     }
+    return role == Qt::ToolTipRole ? QVariant(fieldHint(field)) : QVariant();
 }
 
 void CylinderTableModel::insertRowBelow(int row) {
