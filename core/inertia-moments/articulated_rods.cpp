@@ -7,6 +7,8 @@
 
 #include "case-file/input_error.h"
 #include "inertia-moments/fields.h"
+#include "numerics/angle.h"
+#include "numerics/maximum.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -108,7 +110,7 @@ ArticulatedMotion ArticulatedCrank::at(double sin_theta, double cos_theta) const
         master.rod_at(sin_theta * master_lead.real() + cos_theta * master_lead.imag(),
                       cos_theta * master_lead.real() - sin_theta * master_lead.imag());
     ArticulatedMotion motion;
-    motion.arm = times(knuckle, std::polar(1.0, swing.psi));
+    motion.arm = knuckle * std::polar(1.0, swing.psi);
     const std::complex<double> turned(-motion.arm.imag(), motion.arm.real());
     motion.darm = swing.dpsi * turned;
     motion.d2arm = swing.d2psi * turned - swing.dpsi * swing.dpsi * motion.arm;
@@ -132,9 +134,9 @@ ArticulatedMotion ArticulatedCrank::two_term_at(double sin_theta, double cos_the
     const double dpsi = -lambda * cos_master;
     const double d2psi = lambda * sin_master;
     ArticulatedMotion motion;
-    motion.arm = times(knuckle, {1.0 - 0.5 * psi * psi, psi});
-    motion.darm = times(knuckle, {-psi * dpsi, dpsi});
-    motion.d2arm = times(knuckle, {-dpsi * dpsi - psi * d2psi, d2psi});
+    motion.arm = knuckle * std::complex<double>(1.0 - 0.5 * psi * psi, psi);
+    motion.darm = knuckle * std::complex<double>(-psi * dpsi, dpsi);
+    motion.d2arm = knuckle * std::complex<double>(-dpsi * dpsi - psi * d2psi, d2psi);
     // Across the axis the square of ψ would be of the third order.
     const double y = sin_theta + knuckle.imag() + knuckle.real() * psi - offset;
     const double dy = cos_theta + knuckle.real() * dpsi;
@@ -145,19 +147,17 @@ ArticulatedMotion ArticulatedCrank::two_term_at(double sin_theta, double cos_the
     return motion;
 }
 
+double ArticulatedCrank::dead_centre(double side) const {
+    return angle_of_maximum([&](double theta) { return side * at(theta).piston.s; },
+                            [&](double theta) { return side * at(theta).piston.ds; });
+}
+
 double ArticulatedCrank::top_dead_centre() const {
-    return is_plain() ? plain().top_dead_centre()
-                      : angle_of_maximum([&](double theta) { return at(theta).piston.s; },
-                                         [&](double theta) { return at(theta).piston.ds; });
+    return is_plain() ? plain().top_dead_centre() : dead_centre(1.0);
 }
 
 double ArticulatedCrank::bottom_dead_centre() const {
-    if (is_plain()) {
-        return plain().bottom_dead_centre();
-    }
-    const double angle = angle_of_maximum([&](double theta) { return -at(theta).piston.s; },
-                                          [&](double theta) { return -at(theta).piston.ds; });
-    return angle < 0.0 ? angle + two_pi : angle;
+    return is_plain() ? plain().bottom_dead_centre() : wrap_turn(dead_centre(-1.0));
 }
 
 double ArticulatedCrank::stroke() const {
@@ -167,16 +167,15 @@ double ArticulatedCrank::stroke() const {
 
 double ArticulatedCrank::reach() const {
     const auto across = [&](double theta) {
-        return std::sin(theta) + at(theta).arm.imag() - offset;
+        return std::abs(std::sin(theta) + at(theta).arm.imag() - offset);
     };
-    double maximum = 0.0;
-    for (const double sign : {1.0, -1.0}) {
-        const double angle = angle_of_maximum(
-            [&](double theta) { return sign * across(theta); },
-            [&](double theta) { return sign * (std::cos(theta) + at(theta).darm.imag()); });
-        maximum = std::max(maximum, std::abs(across(angle)));
+    constexpr double step = two_pi / scan_samples;
+    Maximum farthest;
+    for (int i = 0; i < scan_samples; ++i) {
+        farthest.take(across(step * i), step * i);
     }
-    return maximum;
+    farthest.sharpen(across, step);
+    return farthest.value;
 }
 
 void complete_rods(std::vector<Cylinder>& cylinders, std::span<const Throw> throws,

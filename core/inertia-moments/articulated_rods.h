@@ -13,11 +13,6 @@
 
 namespace ravnoves::inertia_moments {
 
-/// Written out: std::complex's product also checks for infinities.
-inline std::complex<double> times(const std::complex<double>& a, const std::complex<double>& b) {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-
 /// The motion of a cylinder whose rod hangs on a master rod, by its own crank angle θ, in units of
 /// R. Vectors are complex: along the cylinder's axis + i across it, counter-clockwise.
 struct ArticulatedMotion {
@@ -60,6 +55,7 @@ struct ArticulatedCrank {
     bool is_plain() const { return knuckle == 0.0; }
     SliderCrank<double> plain() const { return {1.0, rod_length, offset}; }
     ArticulatedMotion at(double theta) const { return at(std::sin(theta), std::cos(theta)); }
+    double dead_centre(double side) const;
 };
 
 /// Fills in what the input leaves out of articulated rods: the master, where one plain rod alone

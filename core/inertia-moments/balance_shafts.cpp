@@ -10,12 +10,9 @@ bool same_task(const Shaft& a, const Shaft& b) {
     return a.order == b.order && a.direction == b.direction && a.balances == b.balances;
 }
 
-Complex part(const RotatingPair& pair, Direction direction) {
-    return direction == Direction::forward ? pair.forward : pair.backward;
-}
-
-RotatingPair one_way(Complex vector, Direction direction) {
-    return direction == Direction::forward ? RotatingPair{vector, {}} : RotatingPair{{}, vector};
+/// Its part of a pair.
+Complex RotatingPair::*way(const Shaft& shaft) {
+    return shaft.direction == Direction::forward ? &RotatingPair::forward : &RotatingPair::backward;
 }
 
 /// With the shaft's own weight of task and error: what it adds to force or moment.
@@ -53,8 +50,7 @@ std::vector<ShaftDesign> design_shafts(const Engine& engine, const EngineOrders&
         for (const Shaft& other : shafts) {
             sharing += same_task(other, shaft) && (other.enabled || &other == &shaft) ? 1.0 : 0.0;
         }
-        const Complex whole = part(task, shaft.direction);
-        design.target = whole / (shaft.enabled ? sharing : 1.0);
+        design.target = task.*way(shaft) / (shaft.enabled ? sharing : 1.0);
         const double speed = shaft.order * engine.angular_speed;
         const double arm = shaft.balances == Balances::force ? 1.0 : shaft.weight_distance;
         design.unbalance = std::abs(design.target) / (arm * speed * speed);
@@ -65,15 +61,14 @@ std::vector<ShaftDesign> design_shafts(const Engine& engine, const EngineOrders&
         if (std::abs(design.target) > zero_share * design.scale) {
             design.phase = std::arg(added);
         }
+        design.moment.*way(shaft) = added;
         if (shaft.balances == Balances::force) {
+            design.force.*way(shaft) = added;
             const double z = shaft.axial_position.value_or(engine.reference_position);
-            design.force = one_way(added, shaft.direction);
-            design.moment = one_way(added * (z - engine.reference_position), shaft.direction);
-        } else {
-            design.moment = one_way(added, shaft.direction);
+            design.moment.*way(shaft) *= z - engine.reference_position;
         }
         design.before = task.max();
-        task += one_way(added, shaft.direction);
+        task.*way(shaft) += added;
         design.remaining = task.max();
     };
     for (const Balances balances : {Balances::force, Balances::moment}) {

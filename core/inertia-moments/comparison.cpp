@@ -6,15 +6,10 @@
 
 namespace ravnoves::inertia_moments {
 
-namespace {
-
-/// Of force, moment (horizontal and vertical) and roll moment.
 std::array<Harmonic<double>, 5> components(const EngineOrder& order) {
     return {order.force.horizontal(), order.force.vertical(), order.moment.horizontal(),
             order.moment.vertical(), order.roll()};
 }
-
-}  // namespace
 
 std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term) {
     // A quantity's size: what its cylinders would reach in phase is the floor under rounding.
@@ -41,8 +36,7 @@ std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& t
             Harmonic<double> short_form = short_forms[c];
             Difference d;
             d.order = order.order;
-            d.quantity = static_cast<Quantity>(q);
-            d.plane = q == 2 ? Plane::none : static_cast<Plane>(c % 2);
+            d.component = c;
             d.exact = amplitude(right);
             const double floor = zero_share * scale[q];
             d.two_term = amplitude(short_form);
@@ -69,9 +63,9 @@ Message describe(const Difference& difference) {
     constexpr Text quantities[] = {Text::tr("order %1 force"), Text::tr("order %1 moment"),
                                    Text::tr("order %1 roll moment")};
     constexpr Text planes[] = {Text::tr("%1, horizontal plane"), Text::tr("%1, vertical plane")};
-    Message component(quantities[static_cast<int>(difference.quantity)], difference.order);
-    if (difference.plane != Plane::none) {
-        component = Message(planes[static_cast<int>(difference.plane)], component);
+    Message component(quantities[difference.component / 2], difference.order);
+    if (difference.component < 4) {
+        component = Message(planes[difference.component % 2], component);
     }
     const auto percent = [](double share) {
         return Number{share / units::percent, units::none, -1};

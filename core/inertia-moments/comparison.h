@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -8,17 +9,16 @@
 
 namespace ravnoves::inertia_moments {
 
-enum class Quantity { force, moment, roll };
-enum class Plane { horizontal, vertical, none };  ///< none: the roll moment has no plane
+/// Of an order: force and moment, each horizontal and vertical, and the roll moment.
+std::array<Harmonic<double>, 5> components(const EngineOrder& order);
 
 /// How far the two-term form is from the exact one, in one component of one order.
 struct Difference {
     int order = 0;
-    Quantity quantity = Quantity::force;
-    Plane plane = Plane::none;
-    double exact = 0.0;     ///< amplitude, N or N·m
-    double two_term = 0.0;  ///< amplitude
-    double error = 0.0;     ///< amplitude of the difference (a wrong phase counts), N or N·m
+    std::size_t component = 0;  ///< of components()
+    double exact = 0.0;         ///< amplitude, N or N·m
+    double two_term = 0.0;      ///< amplitude
+    double error = 0.0;         ///< amplitude of the difference (a wrong phase counts), N or N·m
     /// error / exact; empty where the exact amplitude is negligible beside the quantity's largest.
     std::optional<double> relative;
     /// error / the quantity's largest amplitude of any order (of a balanced engine:

@@ -80,9 +80,7 @@ Engine reduce(const Input& input) {
     engine.angular_speed = input.angular_speed;
     engine.reciprocating_mass = input.reciprocating_mass;
     engine.reference_position = input.reference_position;
-    engine.cylinders = input.layout ? make_cylinders(*input.layout, input.crank_radius,
-                                                     input.ratio(), input.cycle())
-                                    : input.cylinders;
+    engine.cylinders = input.layout ? make_cylinders(input) : input.cylinders;
     for (Cylinder& cylinder : engine.cylinders) {
         cylinder.crankpin_angle = wrap_turn(cylinder.crankpin_angle);
     }

@@ -15,9 +15,10 @@ namespace ravnoves::inertia_moments {
 
 namespace {
 
-/// Forces, moments and torques outside these bounds (N, N·m) would leave the range of numbers.
-constexpr double largest_effect = 1e200;
-constexpr double smallest_effect = 1e-200;
+/// Forces, moments and torques outside these bounds (N, N·m), or the balancing masses that follow
+/// from them by division by ω², would leave the range of numbers.
+constexpr double largest_effect = 1e100;
+constexpr double smallest_effect = 1e-100;
 
 void check_firing_order(const std::vector<int>& order, int count, const std::string& pointer) {
     if (const Message trouble = firing_order_trouble(order, count); !trouble.empty()) {
@@ -143,8 +144,8 @@ void check_throws(const Input& input, const Engine& engine) {
                          {Text::tr("must be given for one cylinder (%1) if the throws carry "
                                    "different numbers of rods"),
                           field::rotating_mass.key},
-                         {Text::tr("throws with %1 and with %2 rods"),
-                          kinds.front()->cylinders.size(), kinds.back()->cylinders.size()});
+                         {Text::tr("throws with %1 and with %2 rods"), kinds.begin()->first,
+                          kinds.rbegin()->first});
     }
 }
 
@@ -172,7 +173,7 @@ void check_size(const Input& input, const Engine& engine) {
         if (!(effect <= largest_effect)) {
             throw InputError("/input",
                              Text::tr("sizes, masses and speed together must keep forces and "
-                                      "moments under 1e200 N and N·m"),
+                                      "moments under 1e100 N and N·m"),
                              Number{.value = effect, .digits = 6});
         }
     }
@@ -181,7 +182,7 @@ void check_size(const Input& input, const Engine& engine) {
                   engine.crank_radius});
     if (!(smallest >= smallest_effect)) {
         throw InputError("/input",
-                         Text::tr("sizes, masses and speed together must keep m R ω² over 1e-200 "
+                         Text::tr("sizes, masses and speed together must keep m R ω² over 1e-100 "
                                   "N"),
                          Number{.value = engine.force_unit(), .digits = 6});
     }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 #include <string>
 
 #include "inertia-moments/fields.h"
@@ -14,57 +16,35 @@ namespace ravnoves::inertia_moments {
 
 namespace {
 
-constexpr std::array order_1{1};
-constexpr std::array order_2{1, 2};
-constexpr std::array order_3{1, 3, 2};
-constexpr std::array order_4{1, 3, 4, 2};
-constexpr std::array order_5{1, 2, 4, 5, 3};
-constexpr std::array order_6{1, 5, 3, 6, 2, 4};
-constexpr std::array order_v6{1, 2, 3, 4, 5, 6};
-constexpr std::array order_v8_cross{1, 8, 4, 3, 6, 5, 7, 2};
-constexpr std::array order_v8_flat{1, 2, 5, 6, 7, 8, 3, 4};
-constexpr std::array order_flat_4{1, 3, 2, 4};
-constexpr std::array order_flat_6{1, 4, 5, 2, 3, 6};
-constexpr std::array order_w12{1, 12, 5, 8, 3, 10, 6, 7, 2, 11, 4, 9};
-
-constexpr std::array pins_1{0};
-constexpr std::array pins_i2_180{0, 180};
-constexpr std::array pins_i2_360{0, 0};
-constexpr std::array pins_common_2{0, 0};
-constexpr std::array pins_v8_cross{0, 0, 90, 90, 270, 270, 180, 180};
-constexpr std::array pins_v8_flat{0, 0, 180, 180, 180, 180, 0, 0};
-constexpr std::array pins_flat_2{0, 180};
-constexpr std::array pins_flat_4{0, 180, 180, 0};
-
-constexpr std::span<const int> even;  // crankpins follow the firing order
-
 using enum Arrangement;
 
-// name, title, arrangement, N, γ°, side of bank 1, K, a/R, stagger/R, even firing, pins, firing
-// order
+constexpr std::string_view even;  // crankpins follow the firing order
+
+// name, title, arrangement, N, γ°, side of bank 1, K, a/R, stagger/R, pins, firing order
 constexpr std::array<LayoutSpec, 20> library{{
-    {"i1", Text::tr("Single"), in_line, 1, 0, 0, 0, 2, 0, false, pins_1, order_1},
-    {"i2-180", Text::tr("In-line 2, 180°"), in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_180, order_2},
-    {"i2-360", Text::tr("In-line 2, 360°"), in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_360, order_2},
-    {"i3", Text::tr("In-line 3"), in_line, 3, 0, 0, 0, 2, 0, true, even, order_3},
-    {"i4", Text::tr("In-line 4"), in_line, 4, 0, 0, 0, 2, 0, true, even, order_4},
-    {"i5", Text::tr("In-line 5"), in_line, 5, 0, 0, 0, 2, 0, true, even, order_5},
-    {"i6", Text::tr("In-line 6"), in_line, 6, 0, 0, 0, 2, 0, true, even, order_6},
-    {"v2-45", Text::tr("V-twin 45°"), v, 2, 45, 1, 0, 2, 0, false, pins_common_2, order_2},
-    {"v2-60", Text::tr("V-twin 60°"), v, 2, 60, 1, 0, 2, 0, false, pins_common_2, order_2},
-    {"v2-90", Text::tr("V-twin 90°"), v, 2, 90, 1, 0, 2, 0, false, pins_common_2, order_2},
-    {"v6-60", Text::tr("V6 60°, split pins"), v, 6, 60, -1, 0, 2.4, 0, true, even, order_v6},
-    {"v6-90", Text::tr("V6 90°, split pins"), v, 6, 90, -1, 0, 2.4, 0, true, even, order_v6},
-    {"v8-cross-plane", Text::tr("V8, cross-plane"), v, 8, 90, 1, 0, 2.4, 0, false, pins_v8_cross,
-     order_v8_cross},
-    {"v8-flat-plane", Text::tr("V8, flat-plane"), v, 8, 90, -1, 0, 2.4, 0, false, pins_v8_flat,
-     order_v8_flat},
-    {"flat-2", Text::tr("Flat twin"), v, 2, 180, 1, 0, 2.4, 1, false, pins_flat_2, order_2},
-    {"flat-4", Text::tr("Flat 4"), v, 4, 180, 1, 0, 2.4, 1, false, pins_flat_4, order_flat_4},
-    {"flat-6", Text::tr("Flat 6"), v, 6, 180, 1, 0, 2.4, 1, true, even, order_flat_6},
-    {"vr5", Text::tr("VR5"), vr, 5, 15, 1, 0.278, 1.4, 0, true, even, order_5},
-    {"vr6", Text::tr("VR6"), vr, 6, 15, 1, 0.278, 1.4, 0, true, even, order_6},
-    {"w12", Text::tr("W12"), double_vr, 12, 72, -1, 0.278, 1.5, 0.3, true, even, order_w12},
+    {"i1", Text::tr("Single"), in_line, 1, 0, 0, 0, 2, 0, "0", "1"},
+    {"i2-180", Text::tr("In-line 2, 180°"), in_line, 2, 0, 0, 0, 2, 0, "0 180", "1 2"},
+    {"i2-360", Text::tr("In-line 2, 360°"), in_line, 2, 0, 0, 0, 2, 0, "0 0", "1 2"},
+    {"i3", Text::tr("In-line 3"), in_line, 3, 0, 0, 0, 2, 0, even, "1 3 2"},
+    {"i4", Text::tr("In-line 4"), in_line, 4, 0, 0, 0, 2, 0, even, "1 3 4 2"},
+    {"i5", Text::tr("In-line 5"), in_line, 5, 0, 0, 0, 2, 0, even, "1 2 4 5 3"},
+    {"i6", Text::tr("In-line 6"), in_line, 6, 0, 0, 0, 2, 0, even, "1 5 3 6 2 4"},
+    {"v2-45", Text::tr("V-twin 45°"), v, 2, 45, 1, 0, 2, 0, "0 0", "1 2"},
+    {"v2-60", Text::tr("V-twin 60°"), v, 2, 60, 1, 0, 2, 0, "0 0", "1 2"},
+    {"v2-90", Text::tr("V-twin 90°"), v, 2, 90, 1, 0, 2, 0, "0 0", "1 2"},
+    {"v6-60", Text::tr("V6 60°, split pins"), v, 6, 60, -1, 0, 2.4, 0, even, "1 2 3 4 5 6"},
+    {"v6-90", Text::tr("V6 90°, split pins"), v, 6, 90, -1, 0, 2.4, 0, even, "1 2 3 4 5 6"},
+    {"v8-cross-plane", Text::tr("V8, cross-plane"), v, 8, 90, 1, 0, 2.4, 0,
+     "0 0 90 90 270 270 180 180", "1 8 4 3 6 5 7 2"},
+    {"v8-flat-plane", Text::tr("V8, flat-plane"), v, 8, 90, -1, 0, 2.4, 0,
+     "0 0 180 180 180 180 0 0", "1 2 5 6 7 8 3 4"},
+    {"flat-2", Text::tr("Flat twin"), v, 2, 180, 1, 0, 2.4, 1, "0 180", "1 2"},
+    {"flat-4", Text::tr("Flat 4"), v, 4, 180, 1, 0, 2.4, 1, "0 180 180 0", "1 3 2 4"},
+    {"flat-6", Text::tr("Flat 6"), v, 6, 180, 1, 0, 2.4, 1, even, "1 4 5 2 3 6"},
+    {"vr5", Text::tr("VR5"), vr, 5, 15, 1, 0.278, 1.4, 0, even, "1 2 4 5 3"},
+    {"vr6", Text::tr("VR6"), vr, 6, 15, 1, 0.278, 1.4, 0, even, "1 5 3 6 2 4"},
+    {"w12", Text::tr("W12"), double_vr, 12, 72, -1, 0.278, 1.5, 0.3, even,
+     "1 12 5 8 3 10 6 7 2 11 4 9"},
 }};
 
 /// The number of stations along the crank.
@@ -73,8 +53,9 @@ int station_count(Arrangement arrangement, int cylinders) {
     return paired ? (cylinders + 1) / 2 : cylinders;
 }
 
-const LayoutSpec& require_layout(std::string_view name) {
-    const LayoutSpec* spec = find_layout(name);
+/// What a layout has from the library; "vr" of any number of cylinders has it from the VR5.
+const LayoutSpec& spec_of(const Layout& layout) {
+    const LayoutSpec* spec = find_layout(layout.name == "vr" ? "vr5" : layout.name);
     RAVNOVES_DEMAND(spec != nullptr, "a layout's name must be known");
     return *spec;
 }
@@ -99,16 +80,16 @@ Layout usual_layout(const LayoutSpec& spec, double crank_radius) {
     layout.offset = rounded(spec.relative_offset * crank_radius, field::layout_offset, 6);
     layout.spacing = rounded(spec.relative_spacing * crank_radius, field::spacing, 6);
     layout.stagger = rounded(spec.relative_stagger * crank_radius, field::stagger, 6);
-    layout.firing_order.assign(spec.firing_order.begin(), spec.firing_order.end());
+    layout.firing_order = whole_numbers(spec.firing_order);
     return layout;
 }
 
 Arrangement arrangement_of(const Layout& layout) {
-    return layout.name == "vr" ? vr : require_layout(layout.name).arrangement;
+    return spec_of(layout).arrangement;
 }
 
 int cylinder_count(const Layout& layout) {
-    return layout.name == "vr" ? layout.cylinders : require_layout(layout.name).cylinders;
+    return layout.name == "vr" ? layout.cylinders : spec_of(layout).cylinders;
 }
 
 double centred_position(const Layout& layout) {
@@ -117,12 +98,13 @@ double centred_position(const Layout& layout) {
     return rounded(length / 2.0, field::first_position, 12);
 }
 
-std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda,
-                                     double cycle) {
-    const Arrangement arrangement = arrangement_of(layout);
+std::vector<Cylinder> make_cylinders(const Input& input) {
+    const Layout& layout = *input.layout;
+    const LayoutSpec& spec = spec_of(layout);
+    const Arrangement arrangement = spec.arrangement;
     const int count = cylinder_count(layout);
-    const LayoutSpec* spec = layout.name == "vr" ? nullptr : &require_layout(layout.name);
-    const double side = spec == nullptr ? 1.0 : spec->first_bank_side;
+    const double side = spec.first_bank_side;
+    const std::vector<int> pins = whole_numbers(spec.pins_deg);
     const double first = layout.first_position.value_or(centred_position(layout));
 
     std::vector<Cylinder> cylinders;
@@ -141,12 +123,12 @@ std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, 
         }
         cylinder.bank_angle = tilt * layout.bank_angle / 2.0 + row * w_inner_angle / 2.0;
         cylinder.offset = (blocks ? row : arrangement == in_line ? 1.0 : tilt) * layout.offset;
-        if (spec != nullptr && !spec->even_firing_pins) {
-            cylinder.crankpin_angle = spec->pins_deg[static_cast<std::size_t>(i)] * degree;
+        if (!pins.empty()) {
+            cylinder.crankpin_angle = pins[static_cast<std::size_t>(i)] * degree;
         }
     }
-    if (spec == nullptr || spec->even_firing_pins) {
-        set_even_firing(cylinders, layout.firing_order, crank_radius, lambda, cycle);
+    if (pins.empty()) {
+        set_even_firing(cylinders, layout.firing_order, input);
     }
     return cylinders;
 }
@@ -157,17 +139,20 @@ double wrap_turn(double angle) {
 }
 
 bool is_firing_order(std::span<const int> order, int count) {
-    std::vector<int> sorted(order.begin(), order.end());
-    std::sort(sorted.begin(), sorted.end());
-    if (sorted.size() != static_cast<std::size_t>(count)) {
-        return false;
-    }
-    for (int i = 0; i < count; ++i) {
-        if (sorted[static_cast<std::size_t>(i)] != i + 1) {
-            return false;
+    return std::ranges::is_permutation(order, std::views::iota(1, count + 1));
+}
+
+std::vector<int> whole_numbers(std::string_view text) {
+    std::vector<int> numbers;
+    for (const char* at = text.data(); at < text.data() + text.size(); ++at) {
+        int number = 0;
+        const auto read = std::from_chars(at, text.data() + text.size(), number);
+        if (read.ptr != at && *at != '-') {
+            numbers.push_back(number);
+            at = read.ptr - 1;
         }
     }
-    return true;
+    return numbers;
 }
 
 Message firing_order_trouble(std::span<const int> order, int count) {
@@ -185,19 +170,19 @@ Message firing_order_text(std::span<const int> order) {
 }
 
 void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,
-                     double crank_radius, double lambda, double cycle) {
+                     const Input& input) {
     const auto count = cylinders.size();
     std::vector<int> place(count, 0);  // in the firing order, of each cylinder
     for (std::size_t n = 0; n < count; ++n) {
         place[static_cast<std::size_t>(firing_order[n]) - 1] = static_cast<int>(n);
     }
     const auto top = [&](const Cylinder& cylinder) {
-        return SliderCrank<double>{1.0, 1.0 / lambda, cylinder.offset / crank_radius}
+        return SliderCrank<double>{1.0, 1.0 / input.ratio(), cylinder.offset / input.crank_radius}
             .top_dead_centre();
     };
     const Cylinder first = cylinders.front();
     const double top_1 = top(first);
-    const double interval = cycle / static_cast<double>(count);
+    const double interval = input.cycle() / static_cast<double>(count);
     for (std::size_t i = 0; i < count; ++i) {
         Cylinder& cylinder = cylinders[i];
         const double firing = interval * (place[i] - place[0]);

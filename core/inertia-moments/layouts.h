@@ -24,14 +24,14 @@ struct LayoutSpec {
     Text title;             ///< for the page's list
     Arrangement arrangement;
     int cylinders;
-    double bank_angle_deg;          ///< γ, usual value
-    int first_bank_side;            ///< +1: bank 1 on the counter-clockwise side; 0: in line
-    double relative_offset;         ///< K, usual value
-    double relative_spacing;        ///< spacing/R, usual value
-    double relative_stagger;        ///< stagger/R, usual value
-    bool even_firing_pins;          ///< crankpins follow bank angle and offset for even firing
-    std::span<const int> pins_deg;  ///< crankpins of a fixed crank, °
-    std::span<const int> firing_order;
+    double bank_angle_deg;    ///< γ, usual value
+    int first_bank_side;      ///< +1: bank 1 on the counter-clockwise side; 0: in line
+    double relative_offset;   ///< K, usual value
+    double relative_spacing;  ///< spacing/R, usual value
+    double relative_stagger;  ///< stagger/R, usual value
+    /// Crankpins of a fixed crank, °; empty: they follow bank angle and offset for even firing.
+    std::string_view pins_deg;
+    std::string_view firing_order;
 };
 
 inline constexpr double w_inner_angle = 15.0 * degree;  ///< between the rows of each VR block
@@ -52,25 +52,26 @@ double centred_position(const Layout& layout);
 Arrangement arrangement_of(const Layout& layout);
 int cylinder_count(const Layout& layout);
 
-/// The cylinders of a layout. "vr": odd cylinders in bank 1 (positive angle and offset), crankpins
-/// for even firing over the cycle.
-/// @param layout  checked: known name, firing order a permutation
-/// @param cycle   rad, as Input::cycle()
+/// The cylinders of the input's layout. "vr": odd cylinders in bank 1 (positive angle and offset),
+/// crankpins for even firing over the cycle.
+/// @param input  its layout is checked: known name, firing order a permutation
 /// @throws std::logic_error for an unknown name (our fault: check_input() comes first)
-std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda,
-                                     double cycle = 2.0 * two_pi);
+std::vector<Cylinder> make_cylinders(const Input& input);
 
-/// Sets every crankpin so that the cylinders fire at even intervals over the cycle, 720° or 360°,
+/// Sets every crankpin so that the cylinders fire at even intervals over the input's cycle,
 /// in the given order: κ_i = θ_tdc,i − θ_tdc,1 + β_i − β_1 − n_i·cycle/N, n_i the place in the
 /// order after cylinder 1. For two banks it shifts the second one's crankpins against the in-line
 /// engine by γ + 2 θ_tdc (the paper prints γ + θ_tdc; its own angle, 21°40′, is the one with 2).
 /// Result 0…2π.
 /// @param firing_order  a permutation of 1…N
 void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,
-                     double crank_radius, double lambda, double cycle = 2.0 * two_pi);
+                     const Input& input);
 
 /// A crank angle in the turn 0 ≤ angle < 2π; what rounding leaves just below 2π becomes 0. rad
 double wrap_turn(double angle);
+
+/// The whole numbers in a text: 1, 3, 4, 2 of "1-3-4-2".
+std::vector<int> whole_numbers(std::string_view text);
 
 /// True for a permutation of 1…count.
 bool is_firing_order(std::span<const int> order, int count);

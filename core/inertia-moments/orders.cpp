@@ -1,7 +1,6 @@
 #include "inertia-moments/orders.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "case-file/input_error.h"
@@ -38,61 +37,32 @@ struct Load {
     double torque;  ///< on the crank
 };
 
-/// The moving parts of a cylinder, in units of m_j and R.
-struct Parts {
-    ArticulatedCrank crank;
-    double knuckle = 0.0;  ///< mass at the knuckle pin instead of the crankpin
-    double couple = 0.0;   ///< inertia of a rod on the crankpin above its two masses'
-
-    Load load(const ArticulatedMotion& motion, double sin_theta, double cos_theta) const {
-        const double force = -motion.piston.d2s;
-        Load load{force, -crank.offset * force, force * motion.piston.ds};
-        if (knuckle > 0.0) {
-            // −m a of the pin's own motion, less what the mass would do at the crankpin, whose
-            // force turns with the crank and has neither moment nor torque.
-            const Complex place = Complex(cos_theta, sin_theta) + motion.arm;
-            const Complex rate = Complex(-sin_theta, cos_theta) + motion.darm;
-            const Complex acceleration = motion.d2arm - Complex(cos_theta, sin_theta);
-            load.force -= knuckle * motion.d2arm;
-            load.roll -=
-                knuckle * (place.real() * acceleration.imag() - place.imag() * acceleration.real());
-            load.torque -=
-                knuckle * (acceleration.real() * rate.real() + acceleration.imag() * rate.imag());
-        }
-        if (couple != 0.0) {
-            const RodSwing<double> swing = crank.master.rod_at(sin_theta, cos_theta);
-            load.roll -= couple * swing.d2psi;
-            load.torque -= couple * swing.d2psi * swing.dpsi;
-        }
-        return load;
+Load load_of(const CylinderParts& parts, double sin_theta, double cos_theta) {
+    const ArticulatedMotion motion = parts.crank.at(sin_theta, cos_theta);
+    const double force = -motion.piston.d2s;
+    Load load{force, -parts.crank.offset * force, force * motion.piston.ds};
+    if (parts.knuckle > 0.0) {
+        // −m a of the pin's own motion, less that at the crankpin, as in cylinder_orders().
+        const Complex place = Complex(cos_theta, sin_theta) + motion.arm;
+        const Complex rate = Complex(-sin_theta, cos_theta) + motion.darm;
+        const Complex acceleration = motion.d2arm - Complex(cos_theta, sin_theta);
+        load.force -= parts.knuckle * motion.d2arm;
+        load.roll -= parts.knuckle * (std::conj(place) * acceleration).imag();
+        load.torque -= parts.knuckle * (std::conj(rate) * acceleration).real();
     }
-};
+    if (parts.couple != 0.0) {
+        const RodSwing<double> swing = parts.crank.master.rod_at(sin_theta, cos_theta);
+        load.roll -= parts.couple * swing.d2psi;
+        load.torque -= parts.couple * swing.d2psi * swing.dpsi;
+    }
+    return load;
+}
 
-Parts parts_of(const Engine& engine, std::size_t cylinder) {
+CylinderParts parts_of(const Engine& engine, std::size_t cylinder) {
     const auto& rod = engine.cylinders[cylinder].articulated;
     return {engine.crank(cylinder), rod ? rod->knuckle_mass / engine.reciprocating_mass : 0.0,
             engine.rod_couple_inertia /
                 (engine.reciprocating_mass * engine.crank_radius * engine.crank_radius)};
-}
-
-/// Orders of a cylinder with an articulated rod from its motion at the nodes of the transform.
-template <typename MotionAt>
-CylinderOrders articulated_orders(const Parts& parts, const MotionAt& motion_at, int max_order,
-                                  const UniformTransform<double>& transform) {
-    const std::size_t n = transform.size();
-    std::array<std::vector<double>, 4> values;
-    values.fill(std::vector<double>(n));
-    for (std::size_t j = 0; j < n; ++j) {
-        const double sin_theta = transform.node_sin()[j];
-        const double cos_theta = transform.node_cos()[j];
-        const Load load = parts.load(motion_at(sin_theta, cos_theta), sin_theta, cos_theta);
-        values[0][j] = load.force.real();
-        values[1][j] = load.force.imag();
-        values[2][j] = load.roll;
-        values[3][j] = load.torque;
-    }
-    return {transform.orders(values[0], max_order), transform.orders(values[1], max_order),
-            transform.orders(values[2], max_order), transform.orders(values[3], max_order)};
 }
 
 /// The largest difference of any order of force and torque, over the largest order (at least 1).
@@ -116,18 +86,15 @@ double relative_difference(const CylinderOrders& a, const CylinderOrders& b) {
 /// @param transforms  of so many samples, twice, four times…; grows as needed
 /// @return none where that accuracy is not reached
 std::optional<CylinderOrders> exact_articulated_orders(
-    const Parts& parts, int max_order, double accuracy,
+    const CylinderParts& parts, int max_order, double accuracy,
     std::vector<UniformTransform<double>>& transforms) {
-    const auto motion_at = [&](double sin_theta, double cos_theta) {
-        return parts.crank.at(sin_theta, cos_theta);
-    };
     CylinderOrders orders;
     for (std::size_t i = 0;; ++i) {
         if (i == transforms.size()) {
             transforms.emplace_back(i == 0 ? 2 * static_cast<std::size_t>(max_order) + 8
                                            : 2 * transforms.back().size());
         }
-        CylinderOrders finer = articulated_orders(parts, motion_at, max_order, transforms[i]);
+        CylinderOrders finer = exact_cylinder_orders(parts, max_order, transforms[i]);
         const bool settled = i > 0 && relative_difference(finer, orders) <= accuracy;
         orders = std::move(finer);
         if (settled) {
@@ -191,7 +158,7 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
     std::optional<UniformTransform<double>> transform;
     std::vector<UniformTransform<double>> doubling;  // for articulated rods
     return add_up(engine, max_order, [&](std::size_t i) {
-        const Parts parts = parts_of(engine, i);
+        const CylinderParts parts = parts_of(engine, i);
         if (!engine.cylinders[i].articulated) {
             const SliderCrank<double>& crank = parts.crank.master;
             const std::size_t samples =
@@ -199,7 +166,7 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
             if (!transform || transform->size() < samples) {
                 transform.emplace(samples);
             }
-            return exact_cylinder_orders(crank, parts.couple, max_order, *transform);
+            return exact_cylinder_orders(parts, max_order, *transform);
         }
         auto orders = exact_articulated_orders(parts, max_order, accuracy, doubling);
         if (!orders) {
@@ -218,11 +185,11 @@ EngineOrders two_term_orders(const Engine& engine) {
     // A trigonometric polynomial: so many nodes are exact.
     static const UniformTransform<double> four_orders(4 * highest_two_term_order);
     return add_up(engine, highest_two_term_order, [&](std::size_t i) {
-        const Parts parts = parts_of(engine, i);
+        const CylinderParts parts = parts_of(engine, i);
         if (!engine.cylinders[i].articulated) {
             return two_term_cylinder_orders(engine.lambda, parts.crank.offset, parts.couple);
         }
-        CylinderOrders orders = articulated_orders(
+        CylinderOrders orders = cylinder_orders(
             parts,
             [&](double sin_theta, double cos_theta) {
                 return parts.crank.two_term_at(sin_theta, cos_theta);
@@ -230,7 +197,9 @@ EngineOrders two_term_orders(const Engine& engine) {
             highest_two_term_order, four_orders);
         // Forces have two orders; what rounding leaves of the others is nothing.
         for (auto* list : {&orders.along, &orders.across}) {
-            std::fill(list->begin() + 3, list->end(), Harmonic<double>{});
+            for (std::size_t k = 3; k < list->size(); ++k) {
+                (*list)[k] = {};
+            }
         }
         return orders;
     });
@@ -263,15 +232,14 @@ WrenchCurves exact_curves(const Engine& engine, std::vector<double> angles) {
     const double torque_unit = engine.force_unit() * engine.crank_radius;
     for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
         const Cylinder& cylinder = engine.cylinders[i];
-        const Parts parts = parts_of(engine, i);
+        const CylinderParts parts = parts_of(engine, i);
         const Complex axis = engine.force_unit() * axis_direction(cylinder);
         const double lever = cylinder.axial_position - engine.reference_position;
         const Complex phase = std::polar(1.0, engine.crank_phase(cylinder));
         for (std::size_t j = 0; j < turns.size(); ++j) {
-            const Complex own = times(turns[j], phase);  // e^{iθ}
-            const Load load =
-                parts.load(parts.crank.at(own.imag(), own.real()), own.imag(), own.real());
-            const Complex force = times(axis, load.force);
+            const Complex own = turns[j] * phase;  // e^{iθ}
+            const Load load = load_of(parts, own.imag(), own.real());
+            const Complex force = axis * load.force;
             curves.add(j, force, lever * force, torque_unit * load.roll,
                        -torque_unit * load.torque);
         }

@@ -38,14 +38,8 @@ struct RotatingPair {
     Harmonic<double> vertical() const {
         return {(forward + backward).imag(), (forward - backward).real()};
     }
-    /// The vector where e^{ikφ} is `turn`, written out: std::complex's product also checks for
-    /// infinities.
-    Complex along(Complex turn) const {
-        return {(forward.real() + backward.real()) * turn.real() -
-                    (forward.imag() - backward.imag()) * turn.imag(),
-                (forward.imag() + backward.imag()) * turn.real() +
-                    (forward.real() - backward.real()) * turn.imag()};
-    }
+    /// The vector where e^{ikφ} is `turn`.
+    Complex along(Complex turn) const { return forward * turn + backward * std::conj(turn); }
     /// The vector at kφ (rad).
     Complex at(double angle) const { return along(std::polar(1.0, angle)); }
     double max() const { return std::abs(forward) + std::abs(backward); }  ///< long half axis

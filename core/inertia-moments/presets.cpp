@@ -44,6 +44,19 @@ double tidy(double length) {
     return rounded(length, field::front_position, 5);
 }
 
+/// One shaft each way for an order, switched off.
+std::vector<Shaft> shafts_off(Balances balances, int order, double crank_radius) {
+    std::vector<Shaft> shafts(2);
+    for (Shaft& shaft : shafts) {
+        shaft.order = order;
+        shaft.balances = balances;
+        shaft.weight_radius = tidy(crank_radius / 2.0);
+        shaft.enabled = false;
+    }
+    shafts.back().direction = Direction::backward;
+    return shafts;
+}
+
 }  // namespace
 
 EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius) {
@@ -57,18 +70,11 @@ EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radi
 
 std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double crank_radius) {
     const auto [low, high] = extent(cylinders);
-    std::vector<Shaft> shafts;
-    for (const int order : {1, 2}) {
-        for (const Direction direction : {Direction::forward, Direction::backward}) {
-            Shaft shaft;
-            shaft.order = order;
-            shaft.direction = direction;
-            shaft.balances = Balances::moment;
-            shaft.weight_distance = tidy(std::max(high - low, 2.0 * crank_radius));
-            shaft.weight_radius = tidy(crank_radius / 2.0);
-            shaft.enabled = false;
-            shafts.push_back(shaft);
-        }
+    std::vector<Shaft> shafts = shafts_off(Balances::moment, 1, crank_radius);
+    const auto second = shafts_off(Balances::moment, 2, crank_radius);
+    shafts.insert(shafts.end(), second.begin(), second.end());
+    for (Shaft& shaft : shafts) {
+        shaft.weight_distance = tidy(std::max(high - low, 2.0 * crank_radius));
     }
     return shafts;
 }
@@ -83,11 +89,8 @@ void follow_sizes(Input& input, const Input& before) {
             now = usual_now;
         }
     };
-    const auto cylinders_of = [](const Input& each) {
-        return make_cylinders(*each.layout, each.crank_radius, each.ratio(), each.cycle());
-    };
-    const std::vector<Cylinder> then = cylinders_of(before);
-    const std::vector<Cylinder> now = cylinders_of(input);
+    const std::vector<Cylinder> then = make_cylinders(before);
+    const std::vector<Cylinder> now = make_cylinders(input);
     if (input.end_webs && before.end_webs) {
         const EndWebs usual_then = usual_end_webs(then, before.crank_radius);
         const EndWebs usual_now = usual_end_webs(now, input.crank_radius);
@@ -119,9 +122,8 @@ Input preset_vw_vr5() {
     layout.spacing = 63.0 * units::mm;
     layout.first_position = 204.8 * units::mm;
     layout.firing_order = {1, 2, 4, 5, 3};
-    const std::vector<Cylinder> cylinders =
-        make_cylinders(layout, input.crank_radius, input.lambda);
     input.layout = layout;
+    const std::vector<Cylinder> cylinders = make_cylinders(input);
     input.end_webs = usual_end_webs(cylinders, input.crank_radius);
     input.shafts = usual_shafts(cylinders, input.crank_radius);
     return input;
@@ -147,7 +149,6 @@ void make_radial(Input& input, int cylinders) {
     input.cylinders.clear();
     input.firing_order.clear();
     input.reference_position = 0.0;
-    input.shafts.clear();
     for (int i = 0; i < cylinders; ++i) {
         // Numbered with the rotation of the crank: cylinder i + 1 comes to the top after i.
         Cylinder& cylinder = input.cylinders.emplace_back();
@@ -162,15 +163,7 @@ void make_radial(Input& input, int cylinders) {
     }
     input.end_webs = usual_end_webs(input.cylinders, input.crank_radius);
     input.end_webs->first_order_share = 1.0;
-    for (const Direction direction : {Direction::forward, Direction::backward}) {
-        Shaft shaft;
-        shaft.order = 2;
-        shaft.direction = direction;
-        shaft.balances = Balances::force;
-        shaft.weight_radius = tidy(input.crank_radius / 2.0);
-        shaft.enabled = false;
-        input.shafts.push_back(shaft);
-    }
+    input.shafts = shafts_off(Balances::force, 2, input.crank_radius);
 }
 
 std::vector<Preset<Input>> presets() {

@@ -15,10 +15,9 @@ namespace ravnoves::inertia_moments {
 
 /// Everything that the page shows and that the command line prints.
 struct Result {
-    Engine engine;                    ///< cylinders with their crankpins 0…2π
-    std::optional<double> tdc_angle;  ///< of a layout, |θ_tdc|, rad
-    EngineOrders two_term;            ///< reciprocating parts, orders 1…4
-    EngineOrders exact;               ///< reciprocating parts, orders 1…12
+    Engine engine;          ///< cylinders with their crankpins 0…2π
+    EngineOrders two_term;  ///< reciprocating parts, orders 1…4
+    EngineOrders exact;     ///< reciprocating parts, orders 1…12
     RotatingMasses rotating;
     std::vector<ShaftDesign> shafts;
     std::optional<CounterweightDesign> counterweights;

@@ -292,10 +292,10 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         strokes.push_back(engine.stroke(i));
     }
     visitor.numbers({"crankpin_angle_deg", Text::tr("Crankpin angle"), 1}, pins);
-    if (result.tdc_angle) {
+    if (input.layout) {
         visitor.number({"tdc_angle_deg", Text::tr("Crank angle at TDC"), 2,
                         Text::tr("From the cylinder's axis, without sign.")},
-                       result.tdc_angle);
+                       std::abs(tops.front()));
     }
     visitor.numbers({"cylinder_tdc_angle_deg", Text::tr("Crank angle at TDC of each cylinder"), 2},
                     tops);

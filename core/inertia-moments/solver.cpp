@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "case-file/input_error.h"
 #include "case-file/unusual_engine.h"
 
 namespace ravnoves::inertia_moments {
@@ -56,37 +55,12 @@ EngineOrders with_balancing(EngineOrders orders,
     return orders;
 }
 
-/// Masses follow from forces by division by ω²: the last place where numbers could overflow.
-void check_designs(const Result& result) {
-    bool finite = true;
-    for (const ShaftDesign& design : result.shafts) {
-        finite = finite && std::isfinite(design.unbalance) &&
-                 std::isfinite(design.mass.value_or(0.0)) && std::isfinite(design.remaining);
-    }
-    if (result.counterweights) {
-        const CounterweightDesign& design = *result.counterweights;
-        finite = finite && std::isfinite(design.front.mass() + design.rear.mass()) &&
-                 std::isfinite(std::abs(design.force) + std::abs(design.moment)) &&
-                 std::isfinite(std::abs(design.against_force) + std::abs(design.against_moment));
-    }
-    if (!finite) {
-        throw InputError("/input",
-                         Text::tr("sizes, masses and speed together must keep the balancing "
-                                  "masses in the range of numbers"));
-    }
-}
-
 }  // namespace
 
 Result solve(const Input& input, bool with_curves) {
     Result result;
     result.engine = make_engine(input);
     const Engine& engine = result.engine;
-    if (input.layout) {
-        result.tdc_angle = SliderCrank<double>{1.0, 1.0 / input.ratio(),
-                                               std::abs(input.layout->offset) / input.crank_radius}
-                               .top_dead_centre();
-    }
     result.exact = exact_orders(engine);
     result.two_term = two_term_orders(engine);
     result.differences = compare(result.exact, result.two_term);
@@ -104,7 +78,6 @@ Result solve(const Input& input, bool with_curves) {
         weighted ? with_balancing(with_rotating(engine, basis, result.rotating), counted, {})
                  : basis;
     result.shafts = design_shafts(engine, for_shafts, input.shafts);
-    check_designs(result);
     result.unbalanced = with_rotating(engine, result.exact, result.rotating);
     result.two_term_unbalanced = with_rotating(engine, result.two_term, result.rotating);
     result.remaining = with_balancing(result.unbalanced, counted, result.shafts);
@@ -114,16 +87,16 @@ Result solve(const Input& input, bool with_curves) {
         result.firing_trouble = describe_misfit(engine, order, input.cycle());
     }
     result.notes = articulated_rod_notes(engine.throws, engine.cylinders, engine.crank_radius);
-    if (Message note = unusual_rod_note(engine.cylinders, input.rod_length()); !note.empty()) {
-        result.notes.push_back(std::move(note));
+    std::vector<Message> doubts = unusual_engine_notes(
+        {input.angular_speed,
+         input.crank_radius,
+         input.rod_length(),
+         {input.reciprocating_mass, input.rotating_mass, input.rod ? input.rod->mass : 0.0}});
+    if (const Message note = unusual_rod_note(engine.cylinders, input.rod_length());
+        !note.empty()) {
+        result.notes.push_back(note);
     }
-    for (Message& note : unusual_engine_notes({input.angular_speed,
-                                               input.crank_radius,
-                                               input.rod_length(),
-                                               {input.reciprocating_mass, input.rotating_mass,
-                                                input.rod ? input.rod->mass : 0.0}})) {
-        result.notes.push_back(std::move(note));
-    }
+    result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
     if (with_curves) {
         const double step = input.step.value_or(usual_step);
         const double intervals = std::ceil(two_pi / step - 1e-9);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <string>
 
@@ -102,22 +101,17 @@ std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double cran
     return throws;
 }
 
-std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws) {
+std::map<std::size_t, const Throw*> kinds_of_throw(std::span<const Throw> throws) {
     std::map<std::size_t, const Throw*> kinds;
     for (const Throw& each : throws) {
         kinds.try_emplace(each.cylinders.size(), &each);
     }
-    std::vector<const Throw*> found;
-    found.reserve(kinds.size());
-    for (const auto& kind : kinds) {
-        found.push_back(kind.second);
-    }
-    return found;
+    return kinds;
 }
 
 std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws) {
     const auto kinds = kinds_of_throw(throws);
-    return kinds.size() == 1 ? std::optional(kinds.front()->cylinders.size()) : std::nullopt;
+    return kinds.size() == 1 ? std::optional(kinds.begin()->first) : std::nullopt;
 }
 
 std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,

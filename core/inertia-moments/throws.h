@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,8 +30,8 @@ std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double cran
 /// The number of rods on every throw; nothing where throws differ in it.
 std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws);
 
-/// One throw for each number of rods, from the fewest to the most: the first with that number.
-std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws);
+/// By each number of rods, from the fewest to the most, the first throw with it.
+std::map<std::size_t, const Throw*> kinds_of_throw(std::span<const Throw> throws);
 
 /// What the model leaves out of a radial: three rods or more cannot run on one pin in one plane, so
 /// all but one of them hang on the master rod. One sentence for each throw where none of them is

@@ -43,7 +43,8 @@ Message rejection_of(const Crank& crank) {
 CylinderOrders transformed(const SliderCrank<double>& crank, std::size_t samples) {
     const UniformTransform<double> transform(samples);
     const int known = std::min(max_order, static_cast<int>(samples) / 2 - 1);
-    return inertia_moments::exact_cylinder_orders(crank, 0.0, known, transform);
+    return inertia_moments::exact_cylinder_orders(
+        {{crank, 1.0, 0.0, crank.rod_length, crank.offset}}, known, transform);
 }
 
 Method<Crank> method_of(MethodInfo info, CylinderOrders (*orders)(const Crank&, double setting)) {

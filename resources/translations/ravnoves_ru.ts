@@ -6174,12 +6174,12 @@
         <translation>цилиндров должно быть от 1 до %1</translation>
     </message>
     <message>
-        <source>sizes, masses and speed together must keep forces and moments under 1e200 N and N·m</source>
-        <translation>размеры, массы и частота вращения вместе должны давать силы и моменты меньше 1e200 Н и Н·м</translation>
+        <source>sizes, masses and speed together must keep forces and moments under 1e100 N and N·m</source>
+        <translation>размеры, массы и частота вращения вместе должны давать силы и моменты меньше 1e100 Н и Н·м</translation>
     </message>
     <message>
-        <source>sizes, masses and speed together must keep m R ω² over 1e-200 N</source>
-        <translation>размеры, массы и частота вращения вместе должны давать m R ω² больше 1e-200 Н</translation>
+        <source>sizes, masses and speed together must keep m R ω² over 1e-100 N</source>
+        <translation>размеры, массы и частота вращения вместе должны давать m R ω² больше 1e-100 Н</translation>
     </message>
     <message>
         <source>must list at most %1 shafts</source>
@@ -6272,10 +6272,6 @@
     <message>
         <source>nothing</source>
         <translation>ничего</translation>
-    </message>
-    <message>
-        <source>sizes, masses and speed together must keep the balancing masses in the range of numbers</source>
-        <translation>размеры, массы и частота вращения вместе должны давать уравновешивающие массы в пределах чисел</translation>
     </message>
     <message>
         <source>R&amp;otating mass of a throw</source>

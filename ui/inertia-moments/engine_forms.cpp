@@ -37,7 +37,7 @@ class FiringOrderField final : public ValueEntry<std::vector<int>> {
 
   protected:
     Reading read(const QString& typed) const override {
-        const auto order = InertiaMomentsModel::readOrder(typed);
+        const auto order = inertia_moments::whole_numbers(typed.toStdString());
         return {order, model_->orderTrouble(order)};
     }
     QString written() const override { return InertiaMomentsModel::orderText(value()); }

@@ -34,7 +34,7 @@ Input paper_input() {
 }
 
 void sizes(const Result& result, const Input& input, PaperRows& rows) {
-    const double shift = input.layout->bank_angle + 2.0 * *result.tdc_angle;
+    const double shift = input.layout->bank_angle + 2.0 * result.engine.top_dead_centre(0);
     rows.at(in_text(Text::tr("introduction")));
     const auto quoted = [&](Message quantity, const char* unit, const char* printed) {
         rows.not_derivable(std::move(quantity), unit, printed,
@@ -55,7 +55,7 @@ void sizes(const Result& result, const Input& input, PaperRows& rows) {
                     read_printed(offset).value * units::mm / input.crank_radius,
                     Text::tr("e / R, both as printed."));
     rows.reproduced(Text::tr("crank angle at top dead centre"), "°", "3°20′",
-                    *result.tdc_angle / degree, Text::tr("arcsin(λK / (1 + λ))."));
+                    result.engine.top_dead_centre(0) / degree, Text::tr("arcsin(λK / (1 + λ))."));
     rows.reproduced(Text::tr("shift of the crankpins of bank 2"), "°", "21°40′", shift / degree,
                     Text::tr("To 1′, from the exact top dead centre. Correct is γ + 2 φ; the "
                              "printed γ + φ would give 18°20′."),
@@ -102,8 +102,7 @@ struct Coefficients {
 
 Coefficients coefficients(int order, double a, double l) {
     Input input = inertia_moments::preset_vw_vr5();
-    input.cylinders =
-        inertia_moments::make_cylinders(*input.layout, input.crank_radius, input.lambda);
+    input.cylinders = inertia_moments::make_cylinders(input);
     const double half = 0.5 * input.layout->bank_angle;
     input.layout.reset();
     input.shafts.clear();

@@ -394,7 +394,7 @@ TEST(Comparison, RoundingOfTheTwoTermFormIsNothing) {
     const auto roll_of = [](const EngineOrder& right, const EngineOrder& short_form) {
         const auto differences = compare(EngineOrders{{right}}, EngineOrders{{short_form}});
         const auto roll = std::find_if(differences.begin(), differences.end(),
-                                       [](const auto& d) { return d.quantity == Quantity::roll; });
+                                       [](const auto& d) { return d.component == 4; });
         return *roll;
     };
     const Difference left_out = roll_of(exact, rounding);

@@ -80,7 +80,7 @@ TEST(CaseIo, KeysHaveTheContractsNamesAndNullRules) {
 TEST(CaseIo, LayoutAndItsTableAreTheSameEngine) {
     const Input layout = read_input(vr5_json());
     Input table = layout;
-    table.cylinders = make_cylinders(*layout.layout, layout.crank_radius, layout.lambda);
+    table.cylinders = make_cylinders(layout);
     table.layout.reset();
     Json a = result_json({}, read_input(write_input(layout)));
     Json b = result_json({}, read_input(write_input(table)));

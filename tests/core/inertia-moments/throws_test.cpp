@@ -54,7 +54,7 @@ TEST(Throws, RodsThatShareAPinAreOneThrow) {
 TEST(Throws, AreOfOneKindWhereTheyCarryAsManyRods) {
     const std::vector<Throw> throws{
         {{0, 1}, 0.0, 0.0}, {{2}, 0.1, 1.0}, {{3, 4}, 0.2, 2.0}, {{5}, 0.3, 3.0}};
-    const std::vector<const Throw*> expected{&throws[1], &throws[0]};
+    const std::map<std::size_t, const Throw*> expected{{1, &throws[1]}, {2, &throws[0]}};
     EXPECT_EQ(kinds_of_throw(throws), expected) << "the first of each, the fewest rods first";
     EXPECT_TRUE(kinds_of_throw({}).empty());
 }

@@ -132,13 +132,12 @@ TEST(InertiaMomentsModel, ShaftsAreAddedInPairsAndRemoved) {
 
 TEST(InertiaMomentsModel, FiringOrdersAreReadAsPeopleWriteThem) {
     InertiaMomentsModel model;
-    EXPECT_EQ(model.setFiringOrder(InertiaMomentsModel::readOrder(QStringLiteral("1, 3, 5, 4, 2"))),
-              QString());
+    EXPECT_EQ(model.setFiringOrder(inertia_moments::whole_numbers("1, 3, 5, 4, 2")), QString());
     EXPECT_EQ(model.firingOrderText(), QStringLiteral("1-3-5-4-2"));
     for (const QString& bad :
          {QStringLiteral("1-2-3"), QStringLiteral("1-2-3-4-4"),
           QStringLiteral("1-2-3-4-9999999999"), QString(), QStringLiteral("abc")}) {
-        const std::vector<int> order = InertiaMomentsModel::readOrder(bad);
+        const std::vector<int> order = inertia_moments::whole_numbers(bad.toStdString());
         EXPECT_FALSE(model.orderTrouble(order).isEmpty()) << bad.toStdString();
         EXPECT_FALSE(model.setFiringOrder(order).isEmpty()) << bad.toStdString();
     }

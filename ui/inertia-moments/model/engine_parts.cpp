@@ -11,6 +11,7 @@
 namespace ravnoves {
 
 using inertia_moments::EngineOrder;
+using inertia_moments::EngineOrders;
 using inertia_moments::Result;
 using inertia_moments::RotatingPair;
 using inertia_moments::WrenchCurves;
@@ -51,7 +52,9 @@ bool isSomething(const std::vector<double>& values) {
 /// A curve of one turn, shown over two.
 std::vector<double> twice(const std::vector<double>& turn) {
     std::vector<double> both(turn);
-    both.insert(both.end(), turn.begin() + 1, turn.end());
+    if (!turn.empty()) {
+        both.insert(both.end(), turn.begin() + 1, turn.end());
+    }
     return both;
 }
 
@@ -77,16 +80,17 @@ Trace turnOf(const WrenchCurves& curves, bool force, double nothing) {
     return trace;
 }
 
-/// True where counterweights or shafts change something.
+/// True where counterweights or shafts change something of an order.
+bool isChanged(const Result& result, int order, bool force) {
+    const EngineOrder& before = result.unbalanced.order(order);
+    return (vectorOf(result.remaining.order(order), force) - vectorOf(before, force)).max() >
+           roundingOf(before, force);
+}
+
 bool isBalanced(const Result& result, bool force) {
-    for (std::size_t i = 0; i < result.unbalanced.orders.size(); ++i) {
-        const EngineOrder& before = result.unbalanced.orders[i];
-        if ((vectorOf(result.remaining.orders[i], force) - vectorOf(before, force)).max() >
-            roundingOf(before, force)) {
-            return true;
-        }
-    }
-    return false;
+    const auto& orders = result.unbalanced.orders;
+    return std::ranges::any_of(
+        orders, [&](const EngineOrder& each) { return isChanged(result, each.order, force); });
 }
 
 Figure overCycle(const QString& title, const QString& left) {
@@ -99,38 +103,31 @@ QString unitTitle(bool force) {
     return force ? EnginePlots::tr("F, N") : EnginePlots::tr("M, N·m");
 }
 
-/// Both components of a vector, exact and two-term over φ, and what balancing leaves of it; empty
+/// Both components of a vector over φ, exact and two-term, and what balancing leaves of it; empty
 /// where it changes nothing.
-struct Course {
-    std::vector<double> angle = {};
-    Trace exact = {};
-    Trace twoTerm = {};
-    Trace left = {};
-};
-
 /// @param tips  of the upright and the level component of each
-void addCourse(Figure& figure, bool force, Course course, const std::array<QString, 6>& tips) {
+void addCourse(Figure& figure, bool force, const Trace& exact, const Trace& twoTerm,
+               const Trace& remaining, const std::array<QString, 6>& tips) {
     const auto add = [&](const char* id, const QString& name, QChar axis, Role role, double width,
-                         const QString& tip, const std::vector<double>& values) {
-        if (isSomething(values)) {
+                         const QString& tip, const std::vector<double>& turn) {
+        if (isSomething(turn)) {
             figure.leftRange.reset();
         }
         const QString symbol = QString(QChar(force ? u'F' : u'M')) + axis;
+        const std::vector<double> values = twice(turn);
         figure.add(id, {.name = name.arg(symbol), .role = role, .width = width, .toolTip = tip},
-                   values.empty() ? values : course.angle, values);
+                   anglesOfTwoTurns(values.size()), values);
     };
     figure.leftRange = std::pair(-1.0, 1.0);  // a flat chart, not rounding
-    const QString twoTerm = EnginePlots::tr("2-term (%1)");
+    const QString shortForm = EnginePlots::tr("2-term (%1)");
     const QString left = EnginePlots::tr("residual (%1)");
-    add("vertical", EnginePlots::tr("vertical (%1)"), u'y', Role::Vertical, 2.8, tips[0],
-        course.exact.y);
+    add("vertical", EnginePlots::tr("vertical (%1)"), u'y', Role::Vertical, 2.8, tips[0], exact.y);
     add("horizontal", EnginePlots::tr("horiz. (%1)"), u'x', Role::Horizontal, 2.8, tips[1],
-        course.exact.x);
-    add("vertical-two-term", twoTerm, u'y', Role::TwoTermVertical, 1.4, tips[2], course.twoTerm.y);
-    add("horizontal-two-term", twoTerm, u'x', Role::TwoTermHorizontal, 1.4, tips[3],
-        course.twoTerm.x);
-    add("vertical-left", left, u'y', Role::ResidualVertical, 2.2, tips[4], course.left.y);
-    add("horizontal-left", left, u'x', Role::ResidualHorizontal, 2.2, tips[5], course.left.x);
+        exact.x);
+    add("vertical-two-term", shortForm, u'y', Role::TwoTermVertical, 1.4, tips[2], twoTerm.y);
+    add("horizontal-two-term", shortForm, u'x', Role::TwoTermHorizontal, 1.4, tips[3], twoTerm.x);
+    add("vertical-left", left, u'y', Role::ResidualVertical, 2.2, tips[4], remaining.y);
+    add("horizontal-left", left, u'x', Role::ResidualHorizontal, 2.2, tips[5], remaining.x);
 }
 
 /// The moments (or forces) of one order, as the paper's Fig. 6 shows them.
@@ -146,26 +143,17 @@ Figure ofOrder(const InertiaMomentsModel& model) {
     if (order == 1) {
         figure.x.title.clear();  // the other one is below
     }
-    constexpr std::size_t points = 241;
-    Course course{.angle = anglesOfTwoTurns(points)};
-    const RotatingPair& exact = vectorOf(result.unbalanced.order(order), force);
-    const double nothing = roundingOf(result.unbalanced.order(order), force);
-    const auto trace = [&](const RotatingPair& pair) {
-        Trace curve{std::vector<double>(points, 0.0), std::vector<double>(points, 0.0)};
-        for (std::size_t i = 0; i < points && pair.max() > nothing; ++i) {
-            const auto vector = pair.at(course.angle[i] * degree * order);
-            curve.x[i] = vector.real();
-            curve.y[i] = vector.imag();
-        }
-        return curve;
-    };
-    course.exact = trace(exact);
-    course.twoTerm = trace(vectorOf(result.two_term_unbalanced.order(order), force));
-    const RotatingPair& left = vectorOf(result.remaining.order(order), force);
-    if ((left - exact).max() > nothing) {
-        course.left = trace(left);
+    std::vector<double> angles(121);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        angles[i] = two_pi * static_cast<double>(i) / static_cast<double>(angles.size() - 1);
     }
-    addCourse(figure, force, std::move(course),
+    const double nothing = roundingOf(result.unbalanced.order(order), force);
+    const auto trace = [&](const EngineOrders& orders) {
+        const EngineOrders alone{{orders.order(order)}};
+        return turnOf(inertia_moments::with_orders(WrenchCurves(angles), alone), force, nothing);
+    };
+    addCourse(figure, force, trace(result.unbalanced), trace(result.two_term_unbalanced),
+              isChanged(result, order, force) ? trace(result.remaining) : Trace(),
               {EnginePlots::tr("In the vertical plane, exact"),
                EnginePlots::tr("In the horizontal plane, exact"),
                EnginePlots::tr("Vertical plane, the paper's formulas (1) and (2), Fig. 6"),
@@ -222,24 +210,20 @@ template <bool force>
 Figure ofAllOrders(const InertiaMomentsModel& model) {
     const Result& result = model.result();
     const double nothing = rounding(result, force);
-    const auto trace = [&](const WrenchCurves& curves) {
-        const Trace turn = turnOf(curves, force, nothing);
-        return Trace{twice(turn.x), twice(turn.y)};
-    };
     Figure figure =
         overCycle(force ? EnginePlots::tr("Forces over φ") : EnginePlots::tr("Moments over φ"),
                   unitTitle(force));
-    Course course{.exact = trace(result.unbalanced_curves),
-                  .twoTerm = trace(inertia_moments::with_orders(
-                      WrenchCurves(result.curves.crank_angle), result.two_term_unbalanced)),
-                  .left = isBalanced(result, force) ? trace(result.remaining_curves) : Trace()};
-    course.angle = anglesOfTwoTurns(course.exact.x.size());
     const QString exact =
         EnginePlots::tr("Sum of −m a of all reciprocating parts, exact, all orders");
     const QString twoTerm = EnginePlots::tr("By the two-term formulas: orders 1 and 2");
     const QString left =
         EnginePlots::tr("With rotating masses, and with the counterweights and shafts that are on");
-    addCourse(figure, force, std::move(course), {exact, exact, twoTerm, twoTerm, left, left});
+    addCourse(figure, force, turnOf(result.unbalanced_curves, force, nothing),
+              turnOf(inertia_moments::with_orders(WrenchCurves(result.curves.crank_angle),
+                                                  result.two_term_unbalanced),
+                     force, nothing),
+              isBalanced(result, force) ? turnOf(result.remaining_curves, force, nothing) : Trace(),
+              {exact, exact, twoTerm, twoTerm, left, left});
     if (!force) {
         addRoll(figure, result);
     }
@@ -349,8 +333,7 @@ Figure byOrder(const InertiaMomentsModel& model) {
     figure.x = {.title = EnginePlots::tr("order k"), .min = 0.5, .max = orders + 0.5};
     figure.left = {.title = unitTitle(kind == Kind::Force)};
     constexpr int kinds = 3;
-    const auto add = [&](const char* id, const QString& name, Role role,
-                         const inertia_moments::EngineOrders& of) {
+    const auto add = [&](const char* id, const QString& name, Role role, const EngineOrders& of) {
         const double width = 0.9 / kinds;
         const auto place = static_cast<double>(figure.curves.size()) - 0.5 * (kinds - 1);
         Figure::Curve& curve = figure.add(id,

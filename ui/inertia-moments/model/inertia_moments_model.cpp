@@ -1,6 +1,5 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -168,8 +167,7 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
         input.cylinders.clear();
         input.firing_order.clear();
         input.reference_position = 0.0;
-        const auto cylinders = inertia_moments::make_cylinders(*input.layout, input.crank_radius,
-                                                               input.ratio(), input.cycle());
+        const auto cylinders = inertia_moments::make_cylinders(input);
         const bool counted = input.end_webs && input.end_webs->enabled;
         input.end_webs = inertia_moments::usual_end_webs(cylinders, input.crank_radius);
         input.end_webs->enabled = counted;
@@ -201,8 +199,7 @@ QString InertiaMomentsModel::setEvenFiring() {
         return tr("Articulated rods run on their master's crankpin and cannot be separated.");
     }
     return edit(tr("Even firing"), [&](Input& input) {
-        inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.ratio(),
-                                         input.cycle());
+        inertia_moments::set_even_firing(tableOf(input), order, input);
         input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
     });
 }
@@ -231,20 +228,7 @@ const std::vector<int>& InertiaMomentsModel::firingOrder() const {
 }
 
 QString InertiaMomentsModel::orderText(const std::vector<int>& order) {
-    QStringList words;
-    for (const int cylinder : order) {
-        words << QString::number(cylinder);
-    }
-    return words.join(QLatin1Char('-'));
-}
-
-std::vector<int> InertiaMomentsModel::readOrder(const QString& text) {
-    static const QRegularExpression separators(QStringLiteral("[^0-9]+"));
-    std::vector<int> order;
-    for (const QString& word : text.split(separators, Qt::SkipEmptyParts)) {
-        order.push_back(word.left(6).toInt());
-    }
-    return order;
+    return order.empty() ? QString() : messageText(inertia_moments::firing_order_text(order));
 }
 
 QString InertiaMomentsModel::orderTrouble(const std::vector<int>& order) const {
@@ -281,11 +265,10 @@ QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
 
 QString InertiaMomentsModel::throwMassText() const {
     QStringList kinds;
-    for (const inertia_moments::Throw* kind :
-         inertia_moments::kinds_of_throw(result().engine.throws)) {
+    for (const auto& [rods, kind] : inertia_moments::kinds_of_throw(result().engine.throws)) {
         kinds << tr("%1, rods: %2")
                      .arg(shownShort(result().engine.mass_on(*kind), units::kg, 4))
-                     .arg(kind->cylinders.size());
+                     .arg(rods);
     }
     return kinds.join(QLatin1Char('\n'));
 }

@@ -79,7 +79,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// "1-3-4-2" and the like.
     static QString orderText(const std::vector<int>& order);
     QString firingOrderText() const { return orderText(firingOrder()); }
-    static std::vector<int> readOrder(const QString& text);
     /// Why this cannot be the firing order; empty where it can. A table may have none.
     QString orderTrouble(const std::vector<int>& order) const;
     QString setFiringOrder(const std::vector<int>& order);

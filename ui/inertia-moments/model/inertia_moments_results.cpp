@@ -17,8 +17,6 @@ using inertia_moments::Complex;
 using inertia_moments::Difference;
 using inertia_moments::Direction;
 using inertia_moments::EngineOrder;
-using inertia_moments::Plane;
-using inertia_moments::Quantity;
 using inertia_moments::RotatingPair;
 using inertia_moments::ShaftDesign;
 
@@ -48,10 +46,6 @@ QString figure(double value) {
 ResultCell figure(double si, const Unit& unit) {
     const double value = shownValue(si, unit);
     return {value, figure(value)};
-}
-
-const Unit& unitOf(Quantity quantity) {
-    return quantity == Quantity::force ? units::newton : units::N_m;
 }
 
 QString forceAndMoment() {
@@ -84,29 +78,20 @@ ResultCell percent(double share) {
 
 constexpr QChar wideSpace(0x2002);
 
-QString componentName(const Difference& d) {
-    const char axis = d.quantity == Quantity::roll ? 'z' : d.plane == Plane::horizontal ? 'x' : 'y';
-    return QString::number(d.order) + wideSpace +
-           QLatin1Char(d.quantity == Quantity::force ? 'F' : 'M') + QLatin1Char(axis);
-}
+/// Of inertia_moments::components().
+constexpr const char* componentNames[] = {"Fx", "Fy", "Mx", "My", "Mz"};
 
-QString componentTip(const Difference& d) {
-    const bool isHorizontal = d.plane == Plane::horizontal;
-    switch (d.quantity) {
-        case Quantity::force:
-            return isHorizontal
-                       ? InertiaMomentsModel::tr("Force to the right; the number is its order")
-                       : InertiaMomentsModel::tr("Force upwards; the number is its order");
-        case Quantity::moment:
-            return isHorizontal
-                       ? InertiaMomentsModel::tr("Moment in the horizontal plane, Σ Fx (z − z₀)")
-                       : InertiaMomentsModel::tr("Moment in the vertical plane, Σ Fy (z − z₀)");
-        case Quantity::roll:
-            break;
-    }
-    return InertiaMomentsModel::tr(
-        "Roll moment on the engine, of offsets, rods and the reaction of the torque");
-}
+constexpr const char* componentTips[] = {
+    QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel",
+                      "Force to the right; the number is its order"),
+    QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "Force upwards; the number is its order"),
+    QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel",
+                      "Moment in the horizontal plane, Σ Fx (z − z₀)"),
+    QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel",
+                      "Moment in the vertical plane, Σ Fy (z − z₀)"),
+    QT_TRANSLATE_NOOP(
+        "ravnoves::InertiaMomentsModel",
+        "Roll moment on the engine, of offsets, rods and the reaction of the torque")};
 
 /// The rows of force and moment of an order.
 void addOrder(ResultRows& rows, int order, QVector<ResultCell> force, QVector<ResultCell> moment) {
@@ -117,14 +102,6 @@ void addOrder(ResultRows& rows, int order, QVector<ResultCell> force, QVector<Re
                       InertiaMomentsModel::tr("Force of the order k = the number"))
          << ResultRow(std::move(moment),
                       InertiaMomentsModel::tr("Moment of the order k = the number"));
-}
-
-Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
-    if (d.quantity == Quantity::roll) {
-        return order.roll();
-    }
-    const RotatingPair& pair = d.quantity == Quantity::force ? order.force : order.moment;
-    return d.plane == Plane::horizontal ? pair.horizontal() : pair.vertical();
 }
 
 }  // namespace
@@ -141,9 +118,11 @@ Results InertiaMomentsModel::orderResults() const {
     rows.reserve(static_cast<qsizetype>(result().differences.size()));
     const ResultCell zero(0.0, QStringLiteral("0"));
     for (const Difference& d : result().differences) {
-        const Harmonic<double> h = componentOf(result().exact.order(d.order), d);
-        const Unit& unit = unitOf(d.quantity);
-        ResultRow row({componentName(d)}, componentTip(d));
+        const auto h = inertia_moments::components(result().exact.order(d.order))[d.component];
+        const Unit& unit = d.component < 2 ? units::newton : units::N_m;
+        ResultRow row(
+            {QString::number(d.order) + wideSpace + QLatin1String(componentNames[d.component])},
+            tr(componentTips[d.component]));
         row << (d.relative
                     ? ResultRow{figure(d.exact, unit), degrees(inertia_moments::phase(h)),
                                 figure(d.two_term, std::abs(d.exact), unit), percent(*d.relative)}
@@ -222,10 +201,9 @@ Results InertiaMomentsModel::weightResults() const {
             tr("Place of a counterweight against the force")),
         row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale,
             tr("Place of the front one of two opposite counterweights against the moment"))};
-    for (const inertia_moments::Throw* kind :
-         inertia_moments::kinds_of_throw(result().engine.throws)) {
+    for (const auto& [rods, kind] : inertia_moments::kinds_of_throw(result().engine.throws)) {
         rows << ResultRow(
-            {shownTitle(tr("On a throw, rods: %1, g").arg(kind->cylinders.size())).text,
+            {shownTitle(tr("On a throw, rods: %1, g").arg(rods)).text,
              figure(result().engine.mass_on(*kind), units::gram)},
             tr("Rotating mass on one crankpin with this number of rods, at the crank radius"));
     }
