@@ -21,11 +21,10 @@ inline constexpr Word source_words[] = {{"typed", Text::tr("Typed")},
 
 namespace field {
 
-inline constexpr Field engine{
-    .key = "engine",
-    .label = Text::tr("&Engine"),
-    .hint = Text::tr("Engines of the paper by displacement."),
-    .placeholder = Text::tr("other")};
+inline constexpr Field engine{.key = "engine",
+                              .label = Text::tr("&Engine"),
+                              .hint = Text::tr("Engines of the paper by displacement."),
+                              .placeholder = Text::tr("other")};
 inline constexpr Field engine_overrides{
     .key = "engine_overrides", .hint = Text::tr("Values that replace or complete the preset.")};
 inline constexpr Field process{

@@ -41,7 +41,7 @@ TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
     EXPECT_EQ(field("nominal_piston")->value(), 600.0);
     EXPECT_EQ(field("spread_piston")->value(), 2.0);
     EXPECT_FALSE(field("mass_piston_1")->value());
-    type("mass_piston_1", u"602"_s);
+    fill({{"customer", "Jones"}, {"mass_piston_1", "602"}});
     // The next job keeps what is the engine's.
     fill({{"grade_mm_s", "16"},
           {"rotor_mass_kg", "30"},
