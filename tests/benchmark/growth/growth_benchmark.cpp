@@ -17,6 +17,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "elastic-hinge/motion.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "inertia-moments/orders.h"

@@ -206,8 +206,8 @@ TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     // Moving the parts moves their numbers, from wherever they are.
     shop::WeighIn moved = *read.weigh_in;
     move_sets(moved, {1, 0, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 7, 6});
-    EXPECT_EQ(moved.piston_sets, (SetNumbers{1, 3, 2, 4, 5, 6, 7, 8}));
-    EXPECT_EQ(moved.rod_sets, (SetNumbers{1, 2, 3, 4, 5, 6, 8, 7}));
+    EXPECT_EQ(moved.piston_sets, (shop::SetNumbers{1, 3, 2, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(moved.rod_sets, (shop::SetNumbers{1, 2, 3, 4, 5, 6, 8, 7}));
 }
 
 TEST(Result, ChangesFromTheWeighInSheet) {
