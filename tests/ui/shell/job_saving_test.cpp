@@ -9,7 +9,7 @@
 #include <QStatusTipEvent>
 #include <QTemporaryDir>
 
-#include "case-file/json.h"
+#include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "events.h"
 #include "page/scene_page.h"

@@ -16,7 +16,7 @@
 #include <QTemporaryDir>
 #include <QToolTip>
 
-#include "case-file/json.h"
+#include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "events.h"
 #include "files.h"
