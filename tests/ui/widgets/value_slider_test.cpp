@@ -9,6 +9,7 @@
 
 #include "case-file/decimal.h"
 #include "events.h"
+#include "widgets/number_field.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
