@@ -13190,6 +13190,10 @@ but no position is feasible</source>
         <translation>Черновики не удалось прочесть.</translation>
     </message>
     <message>
+        <source>The engine could not be saved.</source>
+        <translation>Двигатель не удалось сохранить.</translation>
+    </message>
+    <message>
         <source>The engine could not be removed.</source>
         <translation>Двигатель не удалось удалить.</translation>
     </message>

@@ -209,6 +209,15 @@ QList<JournalDraft> Journal::orphanedDrafts() {
     return drafts;
 }
 
+bool Journal::saveEngine(const JournalEngine& engine) {
+    return ask(QStringLiteral(
+                   "INSERT INTO engine (name, engine_values) VALUES (?, ?)"
+                   " ON CONFLICT (name) DO UPDATE SET engine_values = excluded.engine_values"),
+               {engine.name, bare(QString::fromUtf8(engine.values))},
+               tr("The engine could not be saved."))
+        .has_value();
+}
+
 bool Journal::removeEngine(const QString& name) {
     return ask(QStringLiteral("DELETE FROM engine WHERE name = ?"), {name},
                tr("The engine could not be removed."))
