@@ -166,7 +166,7 @@ TEST(Tally, BarsHoldAllSamples) {
     const auto bars_of = [](double offset, double period) {
         Tally tally({{.low = offset - 2.0, .width = 0.0078125, .centre = offset, .period = period}},
                     1);
-        Block block{.from = 0, .done = 0, .to = 7000, .sums = std::vector<Sums>(replicates)};
+        Block block{.from = 0, .to = 7000, .sums = std::vector<Sums>(replicates)};
         const double u = 0.5;
         for (std::uint64_t i = 0; i < block.to; ++i) {
             const double y = offset + (i % 7 == 0      ? 0.003

@@ -26,7 +26,7 @@ namespace {
 constexpr int places = 121;
 constexpr int sweepRestMs = 200;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double unsolved = std::numeric_limits<double>::quiet_NaN();
 
 /// Samples of the inputs behind the first, which is swept.
 std::vector<std::vector<double>> othersOf(const studies::Problem& problem) {
@@ -44,7 +44,7 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
     const auto samples = static_cast<double>(values.size());
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
     if (values.empty()) {
-        return {x, nothing, nothing, nothing, nothing, 0.0};
+        return {x, unsolved, unsolved, unsolved, unsolved, 0.0};
     }
     std::sort(values.begin(), values.end());
     const double sum = std::accumulate(values.begin(), values.end(), 0.0);
@@ -70,7 +70,7 @@ std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
                                    studies::Progress& progress) {
     const std::size_t watched = problem.study.watch.size();
     std::vector<std::vector<double>> found(values.size(),
-                                           std::vector<double>(samples.size(), nothing));
+                                           std::vector<double>(samples.size(), unsolved));
     std::vector<std::vector<char>> built(values.size(), std::vector<char>(samples.size()));
     // One core stays free for the window.
     std::vector<std::unique_ptr<Response>> responses(
