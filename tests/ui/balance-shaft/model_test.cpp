@@ -11,6 +11,7 @@
 #include "events.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
+#include "model/reference_case.h"
 #include "part_tests.h"
 
 namespace ravnoves {

@@ -17,17 +17,10 @@ using elastic_hinge::CounterweightInertia;
 using elastic_hinge::GuideSign;
 using elastic_hinge::Hinge;
 using elastic_hinge::Kinematics;
-using elastic_hinge::MotionWish;
 using elastic_hinge::RodCounterweight;
 
 QString verdictOf(const ElasticHingeModel& model) {
     return messageText(model.verdict().text);
-}
-
-MotionWish turns(double count) {
-    MotionWish wish;
-    wish.turns = count;
-    return wish;
 }
 
 /// Waits until the worker thread has computed the motions of the present input.

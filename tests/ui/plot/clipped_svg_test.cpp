@@ -10,6 +10,7 @@
 #include <QXmlStreamReader>
 #include <cmath>
 
+#include "events.h"
 #include "pictures/clipped_svg.h"
 #include "plot/plot_view.h"
 
