@@ -45,7 +45,7 @@ class Progress {
 };
 
 /// Calls work(worker, i) for each i below count until one returns false: each worker takes the next
-/// that nobody has. The first worker is the thread that calls, which does the work of those for
+/// free one. The first worker is the thread that calls, which does the work of those for
 /// which the machine gives no thread. What one throws is thrown again when all have ended.
 template <typename Work>
 void share_out(std::size_t workers, std::uint64_t count, const Work& work) {

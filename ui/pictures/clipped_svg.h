@@ -6,7 +6,8 @@
 namespace ravnoves {
 
 /// A device that writes SVG. The engine of QSvgGenerator leaves clipping out: hidden parts would
-/// cover the whole sheet. This one writes the box of the painter's clip, and omits what is outside.
+/// cover the whole sheet. This one writes the box of the painter's clip, and omits the elements
+/// outside.
 class ClippedSvg : public QSvgGenerator {
   public:
     /// One unit of the drawing is a pixel of a screen with 96 to the inch.

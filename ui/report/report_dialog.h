@@ -15,7 +15,7 @@ struct ReportChoice {
     QPageSize::PageSizeId paper;  ///< of a PDF: A4 or Letter; at first by the locale
 };
 
-/// Asks for that, and keeps it.
+/// Sets a ReportChoice, which the settings keep.
 class ReportDialog : public QDialog {
     Q_OBJECT
 

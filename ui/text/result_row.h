@@ -113,7 +113,7 @@ struct CellSpread {
 
 /// Gives cells their differences from other results, row by row's key.
 void compareRows(ResultRows& rows, const ResultRows& reference);
-/// Gives numbers their ±; what is uncertain has no digits beyond that.
+/// Gives numbers their ±; an uncertain number has no digits beyond it.
 /// @param areAwaited  the numbers are others now: "± …" is in their places
 void addSpreads(ResultRows& rows, const std::vector<CellSpread>& spreads, bool areAwaited = false);
 

@@ -23,7 +23,7 @@ class PageColumns : public QWidget {
         QTabWidget* tabs;        ///< of the inputs, or the inputs themselves
         QWidget* plots;          ///< null: results take the room
         QWidget* results;        ///< at least as wide as it says
-        int resultShare = 2;     ///< of their column, where that of the plots is 5
+        int resultShare = 2;     ///< of their column; the share of the plots is 5
         QWidget* top = nullptr;  ///< over plots and results
         /// Minimum width of the inputs alone: narrower they scroll sideways; 0: their size hint.
         int narrowest = 0;

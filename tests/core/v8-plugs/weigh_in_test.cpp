@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "bob-weights/matching.h"
 #include "shop/kilograms.h"
+#include "shop/matching.h"
 #include "support.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/solver.h"
@@ -34,11 +34,12 @@ WeighIn random_sheet(Workshop& workshop) {
     return sheet;
 }
 
-bob_weights::Input of_sheet(const WeighIn& sheet) {
-    bob_weights::Input input;
-    input.engine.bank_angle = 90 * degree;
-    input.weigh_in = sheet;
-    return input;
+shop::Crank crank_of(const WeighIn& sheet) {
+    shop::Crank crank;
+    crank.cylinders = 8;
+    crank.bank_angle = 90 * degree;
+    crank.follow(sheet);
+    return crank;
 }
 
 TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
@@ -50,7 +51,7 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         const double excess = unbalanced_mass(mass_changes(sheet, process), k);
         const auto factors = excess_factors(sheet, k);
         // By hand, where the parts are; the placing gives each crankpin less their mean.
-        const shop::MatchingTask task{sheet, crank_of(of_sheet(sheet)), factors};
+        const shop::MatchingTask task{sheet, crank_of(sheet), factors};
         const auto places = places_of(task.crank);
         std::array<double, 4> by_crankpin{};
         for (std::size_t i = 0; i < cylinder_count; ++i) {
@@ -88,21 +89,6 @@ TEST(WeighInSheet, WeighedSmallEndsReplaceTheRodCoefficient) {
         (*input.weigh_in)[Part::rod_small_end].mass.front().reset();
         EXPECT_EQ(input.rod_coefficient(), input.engine.rod_coefficient);
     }
-}
-
-TEST(WeighInSheet, CrankOfTheEngineHasItsPinsCrosswise) {
-    const shop::Crank crank = crank_of(of_sheet({}));
-    ASSERT_EQ(crank.angles.size(), 4U);
-    const double quarter = 0.5 * std::numbers::pi;
-    const double turned[] = {0.0, quarter, 3.0 * quarter, 2.0 * quarter};
-    for (std::size_t pin = 0; pin < 4; ++pin) {
-        EXPECT_NEAR(crank.angles[pin], turned[pin], 1e-15);
-    }
-    // Static balance, and a couple that a weight at each end takes up.
-    EXPECT_NEAR(std::cos(crank.angles[0]) + std::cos(crank.angles[3]), 0.0, 1e-15);
-    WeighIn sheet;
-    sheet.matching.crankpin_angles_deg = {0, 180, 180, 0};
-    EXPECT_NEAR(crank_of(of_sheet(sheet)).angles[1], 2.0 * quarter, 1e-15);
 }
 
 TEST(WeighInSheet, NominalMassesOfTheGearFollowFromTheParts) {
@@ -252,17 +238,6 @@ TEST(WeighInSheet, WhatIsNotWeighedStaysAsTyped) {
             sheet[part].mass[3].reset();
             EXPECT_EQ(mass_changes(sheet, process, typed), typed) << "one is missing";
         }
-    }
-}
-
-TEST(WeighInSheet, CrankpinsOfBothNumberings) {
-    WeighIn sheet;
-    for (const auto& [numbering, other] :
-         {std::pair(CylinderNumbering::bank_by_bank, 5), {CylinderNumbering::alternating, 2}}) {
-        sheet.numbering = numbering;
-        const auto places = places_of(crank_of(of_sheet(sheet)));
-        EXPECT_EQ(places[static_cast<std::size_t>(other)].crankpin, 1);
-        EXPECT_EQ(places[numbering == CylinderNumbering::alternating ? 3 : 1].crankpin, 1);
     }
 }
 

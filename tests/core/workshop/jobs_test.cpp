@@ -71,7 +71,7 @@ TEST(Job, GivesAVerdictForReadingsWithoutAngleOrPlanes) {
     const std::string text = result.at("verdict").at("text");
     const std::size_t weight = text.find(" of ");
     ASSERT_NE(weight, std::string::npos) << text;
-    EXPECT_NEAR(std::stod(text.substr(weight + 4)), number(result, "/bob_weight_g"), 0.06) << text;
+    EXPECT_NEAR(std::stod(text.substr(weight + 4)), number(result, "/bobweight_g"), 0.06) << text;
     EXPECT_FALSE(result.contains("correction"));
 }
 

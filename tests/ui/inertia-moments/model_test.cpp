@@ -202,10 +202,10 @@ TEST(EnginePlots, ShowTheVectorsOfTheResult) {
         for (std::size_t i = 0; i < angles.size(); ++i) {
             const double angle = order * angles[i] * degree;
             const auto exact = result.unbalanced.order(order).moment.at(angle);
-            EXPECT_EQ(curveOf(figure, "horizontal").y[i], exact.real());
-            EXPECT_EQ(curveOf(figure, "vertical").y[i], exact.imag());
-            EXPECT_EQ(curveOf(figure, "vertical-two-term").y[i],
-                      result.two_term_unbalanced.order(order).moment.at(angle).imag());
+            EXPECT_NEAR(curveOf(figure, "horizontal").y[i], exact.real(), 1e-11);
+            EXPECT_NEAR(curveOf(figure, "vertical").y[i], exact.imag(), 1e-11);
+            EXPECT_NEAR(curveOf(figure, "vertical-two-term").y[i],
+                        result.two_term_unbalanced.order(order).moment.at(angle).imag(), 1e-11);
         }
     }
     const Figure roll = figureOf(model, "roll");

@@ -185,7 +185,8 @@ TEST(ClippedSvg, ACurveOfAZoomedPlotStaysInItsChart) {
     QString clip;  // of the group
     QMap<QString, QString> boxes;
     int curves = 0;
-    while (svg.readNextStartElement() || !svg.atEnd()) {
+    while (!svg.atEnd()) {
+        svg.readNext();
         const QXmlStreamAttributes attributes = svg.attributes();
         if (svg.name() == u"clipPath"_s && svg.isStartElement()) {
             const QString id = attributes.value(u"id"_s).toString();

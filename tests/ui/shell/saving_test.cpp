@@ -301,6 +301,13 @@ TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRejected) {
     // Another value alone does not.
     ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=80")), QString());
     EXPECT_EQ(radius()->text(), QStringLiteral("abc"));
+    // What is rejected is the newest: undo takes back that alone.
+    const int steps = model().history()->index();
+    press(Qt::Key_Z);
+    isBack();
+    EXPECT_EQ(model().history()->index(), steps);
+    press(Qt::Key_Z);
+    EXPECT_EQ(model().history()->index(), steps - 1);
     reject("crank_radius_mm", "");
     press(Qt::Key_Y);
     isBack();

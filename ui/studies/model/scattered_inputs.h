@@ -12,7 +12,7 @@ namespace ravnoves {
 double percentileOf(const std::vector<double>& ascending, double share);
 
 inline constexpr int scatteredSamples = 128;
-/// So many samples of inputs that scatter by these laws, evenly also by themselves; Sobol points
+/// 128 samples of inputs that scatter by these laws, evenly also by themselves; Sobol points
 /// but for Monte Carlo.
 std::vector<std::vector<double>> samplesOf(const std::vector<studies::Law>& laws,
                                            studies::Method method, std::uint64_t seed);
