@@ -109,8 +109,6 @@ class PlotView : public QWidget {
     void setImage(const QImage& image, const QRectF& values);
     /// Repaints the layer over the curves.
     void overCurvesChanged();
-    /// What the ground paints is new.
-    void groundChanged() { chartChanged(); }
     /// It paints of a reference more than curves, so that the legend has its entry in any case.
     void setPaintsGhosts() { data_.paintsGhosts = true; }
     /// The values under the pointer are read out as it moves.
