@@ -20,6 +20,18 @@ namespace ravnoves {
 
 namespace {
 
+/// A circle that may be far larger than the map: a disc would measure every pixel inside.
+void drawCircle(QPainter& painter, const QPointF& middle, double radius) {
+    constexpr int chords = 720;
+    QPolygonF circle;
+    circle.reserve(chords + 1);
+    for (int i = 0; i <= chords; ++i) {
+        const double angle = two_pi * i / chords;
+        circle << middle + radius * QPointF(std::cos(angle), std::sin(angle));
+    }
+    paintLine(painter, circle);
+}
+
 QPolygonF inPixels(const drawing::Frame& frame, const QPolygonF& metres) {
     const double k = frame.pixelsPerUnit;
     return QTransform(k, 0.0, 0.0, -k, frame.origin.x(), frame.origin.y()).map(metres);
@@ -77,7 +89,7 @@ void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits, con
     const QPointF crank = frame.at(0.0, 0.0);
     for (const auto& distance : {limits.centre_distance_min, limits.centre_distance_max}) {
         if (distance) {
-            paintDisc(painter, crank, frame.length(*distance));
+            drawCircle(painter, crank, frame.length(*distance));
         }
     }
     pen.setStyle(Qt::DashLine);
@@ -145,7 +157,7 @@ void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlotVie
         QRectF(frame.at(e - bore / 2, top), frame.at(e + bore / 2, top - height)), 3, 3);
     painter.setPen(QPen(line, 1.0));
     painter.setBrush(Qt::NoBrush);
-    paintDisc(painter, crank, frame.length(sizes.crank_swing_radius));
+    drawCircle(painter, crank, frame.length(sizes.crank_swing_radius));
     const double thick = std::clamp(0.3 * sizes.crank_radius * k, 4.0, 14.0);
     drawing::drawBar(painter, pin, piston, 0.6 * thick, metal, line);
     drawing::drawBar(painter, crank, pin, thick, metal, line);
@@ -171,11 +183,11 @@ void drawShaft(QPainter& painter, const BalanceShaftModel& model, const ShaftMap
     if (other != nullptr) {
         const auto was = other->present();
         painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
-        paintDisc(painter, crank, frame.length(was.centre_distance()));
+        drawCircle(painter, crank, frame.length(was.centre_distance()));
         paintDisc(painter, frame.at(was), shaftHandleRadius);
     }
     painter.setPen(QPen(theme.accent(), 1.4));
-    paintDisc(painter, crank, frame.length(present.centre_distance()));
+    drawCircle(painter, crank, frame.length(present.centre_distance()));
     painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
     painter.drawLine(crank, axis);
     const double swing = frame.length(sizes.shaft_swing_radius);
