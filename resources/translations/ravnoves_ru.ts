@@ -10991,8 +10991,8 @@ but no position is feasible</source>
         <translation>Угол, °</translation>
     </message>
     <message>
-        <source>&amp;Add it as an existing hole</source>
-        <translation>&amp;Добавить как имеющееся</translation>
+        <source>Drilled before the first reading: &amp;add</source>
+        <translation>Было до первого показания: &amp;добавить</translation>
     </message>
     <message>
         <source>Existing hole</source>
@@ -11031,8 +11031,8 @@ but no position is feasible</source>
         <translation>Пока нет. План появится здесь после следующего пуска.</translation>
     </message>
     <message>
-        <source>New holes keep clear of this hole; it may be deepened.</source>
-        <translation>Новые отверстия обходят это; его можно углубить.</translation>
+        <source>Only for a hole that the first readings contain. New holes keep clear of this hole; it may be deepened.</source>
+        <translation>Только для отверстия, которое уже вошло в первые показания. Новые отверстия обходят его; его можно углубить.</translation>
     </message>
     <message>
         <source>The hole is outside the drilling sector.</source>

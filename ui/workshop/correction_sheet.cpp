@@ -136,8 +136,9 @@ void CorrectionSheet::buildWhatIf() {
     add(field::drilled_angle, &WhatIf::angle, "what_if_angle");
     whatIfLine_ = copyableLabel("what_if", Theme::titleSize, current());
     current()->addWide(whatIfLine_);
-    addHole_ = button("add_hole", tr("&Add it as an existing hole"),
-                      tr("New holes keep clear of this hole; it may be deepened."),
+    addHole_ = button("add_hole", tr("Drilled before the first reading: &add"),
+                      tr("Only for a hole that the first readings contain. New holes keep clear of "
+                         "this hole; it may be deepened."),
                       [this] { addEarlierHole(); });
     follow([this] { showWhatIf(); });
     connect(model_, &SceneModel::restarted, this, [this] {
