@@ -186,9 +186,10 @@ void fit_weigh_in(Input& input) {
     }
 }
 
-Input fitted(Input input) {
-    fit_weigh_in(input);
-    return input;
+Input fitted(const Input& input) {
+    Input whole = input;
+    fit_weigh_in(whole);
+    return whole;
 }
 
 std::optional<double> service_speed(const Input& input) {

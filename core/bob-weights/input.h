@@ -277,7 +277,7 @@ void visit_fields(FieldVisitor& visitor, Input& input);
 /// the engine.
 void fit_weigh_in(Input& input);
 /// The input with its sheet so fitted.
-Input fitted(Input input);
+Input fitted(const Input& input);
 
 /// Whether the mean of its column represents a part: all of it is weighed.
 bool is_weighed(const Input& input, const PartField& part);

@@ -196,13 +196,16 @@ void solve_correction(const Input& input, Result& result) {
         const auto read = [&](std::size_t i, double unbalance, const std::optional<double>& angle) {
             run.planes[i] = {unbalance, angle, shop::is_within(unbalance, limit(i))};
         };
-        const auto vectors = places ? vectors_of(readings) : std::nullopt;
-        for (std::size_t i = 0; i < std::min<std::size_t>(readings.size(), 2); ++i) {
-            if (vectors) {
-                const Vector there = carried_over(*vectors, places->from, places->to)[i];
-                read(i, std::abs(there), turn_of(std::arg(there)));
-            } else if (readings[i].unbalance && reads_in_planes(input)) {
-                read(i, *readings[i].unbalance, std::nullopt);
+        if (const auto vectors = places ? vectors_of(readings) : std::nullopt) {
+            const auto there = carried_over(*vectors, places->from, places->to);
+            for (std::size_t i = 0; i < there.size(); ++i) {
+                read(i, std::abs(there[i]), turn_of(std::arg(there[i])));
+            }
+        } else if (reads_in_planes(input)) {
+            for (std::size_t i = 0; i < std::min<std::size_t>(readings.size(), 2); ++i) {
+                if (readings[i].unbalance) {
+                    read(i, *readings[i].unbalance, std::nullopt);
+                }
             }
         }
         for (const auto& reading : readings) {

@@ -112,8 +112,7 @@ std::optional<v8_plugs::Input> whole_plugs(const Input& input) {
     }
     v8_plugs::Input whole = *input.plugs;
     if (input.weigh_in) {
-        const bob_weights::Input& shared = input;
-        whole.weigh_in = bob_weights::fitted(shared).weigh_in;
+        whole.weigh_in = bob_weights::fitted(input).weigh_in;
         whole.weigh_in->fit(cylinder_count);
     }
     return whole;
