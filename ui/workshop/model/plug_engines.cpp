@@ -199,13 +199,13 @@ int WorkshopModel::engineIndex() const {
 }
 
 void WorkshopModel::chooseEngine(int place) {
-    if (!hasPlugs()) {
+    const auto presets = engine_presets();
+    if (!hasPlugs() || place < 0 || place >= std::ssize(presets)) {
         return;
     }
     finishDrag();
-    edit(tr("Engine"), [&](workshop::Input& job) {
-        takePreset(job, engine_presets()[static_cast<std::size_t>(place)]);
-    });
+    edit(tr("Engine"),
+         [&](workshop::Input& job) { takePreset(job, presets[static_cast<std::size_t>(place)]); });
     finishDrag();
 }
 
