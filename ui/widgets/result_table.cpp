@@ -270,7 +270,8 @@ QStringList ResultTable::below(int row, int column) const {
     }
     if (const QString spread = spreadAt(row, column); !spread.isEmpty()) {
         // Sides that are wider than a column's share are below one another.
-        const bool isWide = textWidth(smallFont(), spread) > viewport()->width() / columnCount();
+        const int share = viewport()->width() / columnCount();
+        const bool isWide = textWidth(smallFont(), spread) > share;
         lines << (isWide && spread.startsWith(QLatin1Char('+')) ? spread.split(QLatin1Char(' '))
                                                                 : QStringList{spread});
     }
