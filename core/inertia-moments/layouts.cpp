@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 #include <string>
 
 #include "inertia-moments/fields.h"
@@ -139,7 +138,9 @@ double wrap_turn(double angle) {
 }
 
 bool is_firing_order(std::span<const int> order, int count) {
-    return std::ranges::is_permutation(order, std::views::iota(1, count + 1));
+    std::vector<int> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 1);
+    return std::ranges::is_permutation(order, numbers);
 }
 
 std::vector<int> whole_numbers(std::string_view text) {
