@@ -10,6 +10,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
+#include "shop/results.h"
 #include "shop/weighing.h"
 #include "support.h"
 
@@ -707,6 +708,12 @@ TEST(Correction, EarlierSlugsAreTakenToo) {
             EXPECT_GT(std::abs(number(hole, "/angle_deg") - number(slug, "/angle_deg")), 10);
         }
     }
+}
+
+TEST(Correction, ReadingsWithAnotherBobWeightNameBothInGrams) {
+    EXPECT_EQ(shop::other_readings(1.4, std::nullopt, 2.1052).english(),
+              "The readings were taken with another bob weight: 1400.0 g then, 2105.2 g now. "
+              "Measure again.");
 }
 
 TEST(BearingPlaces, AreJudgedOnlyWhereBothPlanesAreKnown) {
