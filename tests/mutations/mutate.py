@@ -46,6 +46,7 @@ OF_WORK = {
     "std::abs(next - t) < previous_width": "when Newton's steps give way to halves; the root is the same",
     "turn_of(angle_ + place)": "holes stand evenly on both sides of the middle",
     "one + std::remainder(other[w] - one": "a difference is squared; its size has a test of its own",
+    "(preload + 0.5 * spring.free_length)": "how far rounding may bring a square below zero",
     "std::hypot(p.x - a.x, p.y - a.y)": "no guide that can be drawn has a chord of no length",
 }
 CHANGES = [(" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
