@@ -56,6 +56,14 @@ Bound min_of_larger(const Cut& left, const Cut& right) {
 
 }  // namespace
 
+std::vector<AngleStretch> turned(std::vector<AngleStretch> stretches, double by) {
+    for (AngleStretch& stretch : stretches) {
+        stretch.from += by;
+        stretch.to += by;
+    }
+    return stretches;
+}
+
 AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, double steepest,
                                  double size, const std::vector<AngleStretch>& within) {
     constexpr int first_angles = 36;

@@ -34,6 +34,9 @@ inline std::vector<AngleStretch> whole_turn() {
     return {AngleStretch{}};
 }
 
+/// Each of them later by an angle, rad.
+std::vector<AngleStretch> turned(std::vector<AngleStretch> stretches, double by);
+
 /// An evaluated angle with a lower bound of the function everywhere that touches it there.
 struct Cut {
     double alpha = 0.0;

@@ -189,12 +189,8 @@ void Solver::Prepared::prepare_buildable() {
         return !best.shaft_angle || buildable.contains(*best.shaft_angle);
     };
     if (!is_built(range)) {
-        std::vector<AngleStretch> within = buildable.stretches;
-        for (AngleStretch& stretch : within) {
-            stretch.from += phase;
-            stretch.to += phase;
-        }
-        const AngleMinimum best = minimise_range(plane, forces.moment_amplitude, within);
+        const AngleMinimum best =
+            minimise_range(plane, forces.moment_amplitude, turned(buildable.stretches, phase));
         range = {wrap_turn(best.alpha - phase), best.value, {}};
     }
     if (!is_built(rms)) {

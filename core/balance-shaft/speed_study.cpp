@@ -21,22 +21,11 @@ namespace {
 /// Ratios nearer than this are the same.
 constexpr double exact = 1e-11;
 
-double rms_of(double variance) {
-    return std::sqrt(std::max(variance, 0.0));
-}
-
 double squared(double x) {
     return x * x;
 }
 
 }  // namespace
-
-void SpeedStudy::turn(std::vector<AngleStretch>& stretches) const {
-    for (AngleStretch& stretch : stretches) {
-        stretch.from += phase_;
-        stretch.to += phase_;
-    }
-}
 
 SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress& progress) {
     check_input(input);
@@ -60,8 +49,7 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     const SliderCrank<double> crank = slider_crank(input);
     phase_ = crank.top_dead_centre() - piston_first_order(crank).lag;
     buildable_ = buildable_angles(front_view(input), input.place_limits);
-    std::vector<AngleStretch> within = buildable_.stretches;
-    turn(within);
+    const std::vector<AngleStretch> within = turned(buildable_.stretches, phase_);
     gas_ = with_offset_term(parts->gas.negated(), crank, 0.0);
     inertia_ = with_offset_term(parts->unit_inertia.negated(), crank, input.reciprocating_mass());
     inertia_variance_ = inertia_.variance();
@@ -140,67 +128,63 @@ SpeedStudy::Speed SpeedStudy::speed_at(double angular_speed) const {
     return {angular_speed, unit_amplitude_ * square, std::move(plane), without};
 }
 
-namespace {
-
-/// A value is over this: itself, or what it is without a shaft.
-double divisor_of(double without, bool is_relative) {
-    return is_relative && without > 0.0 ? without : 1.0;
+double SpeedStudy::Speed::with_shaft(Criterion criterion, double alpha) const {
+    const MomentPlane::Moment shaft = shaft_at(amplitude, alpha);
+    return criterion == Criterion::range ? plane.range(shaft) : plane.variance(shaft);
 }
 
-}  // namespace
-
-double SpeedStudy::divisor(const Speed& speed, Criterion criterion, Measure measure) {
-    return divisor_of(speed.without_shaft(criterion), measure == Measure::relative);
+double SpeedStudy::Speed::without_shaft(Criterion criterion) const {
+    return criterion == Criterion::range ? without.range() : plane.variance({0.0, 0.0});
 }
 
-/// The criterion (of the RMS its square) over its divisor, with a sinusoid of α that bounds it.
-Cut SpeedStudy::cut(const Speed& speed, Criterion criterion, Measure measure, double alpha) {
-    const double over = divisor(speed, criterion, measure);
-    Cut cut;
-    if (criterion == Criterion::range) {
-        cut = range_cut(speed.plane, speed.amplitude, alpha);
-    } else {
-        const MomentPlane::Moment& opposed = speed.plane.opposed();
-        cut = {alpha,
-               speed.with_shaft(criterion, alpha),
-               {speed.without_shaft(criterion) + squared(speed.amplitude) / 2.0,
-                -speed.amplitude * opposed.y(), -speed.amplitude * opposed.x()}};
+double SpeedStudy::Speed::divisor(Criterion criterion, Measure measure) const {
+    const double value = without_shaft(criterion);
+    return measure == Measure::relative && value > 0.0 ? value : 1.0;
+}
+
+Cut SpeedStudy::Speed::cut(Criterion criterion, Measure measure, double alpha) const {
+    const MomentPlane::Moment& opposed = plane.opposed();
+    Cut cut = criterion == Criterion::range
+                  ? range_cut(plane, amplitude, alpha)
+                  : Cut{alpha,
+                        with_shaft(criterion, alpha),
+                        {without_shaft(criterion) + squared(amplitude) / 2.0,
+                         -amplitude * opposed.y(), -amplitude * opposed.x()}};
+    for (double* const part : {&cut.value, &cut.bound.constant, &cut.bound.p, &cut.bound.q}) {
+        *part /= divisor(criterion, measure);
     }
-    return {alpha,
-            cut.value / over,
-            {cut.bound.constant / over, cut.bound.p / over, cut.bound.q / over}};
+    return cut;
 }
 
 /// At every α the largest of these speeds.
-SpeedStudy::AtSpeeds SpeedStudy::best_compromise_of(const std::vector<const Speed*>& speeds,
-                                                    Criterion criterion, Measure measure,
-                                                    const std::vector<AngleStretch>& within) {
+SpeedStudy::BestCompromise SpeedStudy::best_compromise_of(const std::vector<const Speed*>& speeds,
+                                                          Criterion criterion, Measure measure,
+                                                          const std::vector<AngleStretch>& within) {
     const bool by_range = criterion == Criterion::range;
     double steepest = 0.0;
     double size = 0.0;
     for (const Speed* speed : speeds) {
-        const double over = divisor(*speed, criterion, measure);
+        const double amplitude = speed->amplitude / speed->divisor(criterion, measure);
         const double first = speed->plane.opposed().norm();
-        steepest = std::max(steepest, (by_range ? 2.0 : first) * speed->amplitude / over);
-        size =
-            std::max(size, (by_range ? 1.0 : speed->amplitude + first) * speed->amplitude / over);
+        steepest = std::max(steepest, (by_range ? 2.0 : first) * amplitude);
+        size = std::max(size, (by_range ? 1.0 : speed->amplitude + first) * amplitude);
     }
-    std::size_t worst = 0;
+    const Speed* worst = nullptr;
     const auto evaluate = [&](double alpha) {
         double highest = -1.0;
-        for (std::size_t k = 0; k < speeds.size(); ++k) {
+        for (const Speed* speed : speeds) {
             const double value =
-                speeds[k]->with_shaft(criterion, alpha) / divisor(*speeds[k], criterion, measure);
+                speed->with_shaft(criterion, alpha) / speed->divisor(criterion, measure);
             if (value > highest) {
                 highest = value;
-                worst = k;
+                worst = speed;
             }
         }
-        return cut(*speeds[worst], criterion, measure, alpha);
+        return worst->cut(criterion, measure, alpha);
     };
     const AngleMinimum best = minimise_over_angle(evaluate, steepest, size, within);
     evaluate(best.alpha);
-    return {best.alpha, best.value, best.gap, speeds[worst]->angular_speed};
+    return {best.alpha, best.value, worst->angular_speed, best.gap};
 }
 
 /// The speed of the band at which the range, or the mean square, over that without a shaft is
@@ -214,8 +198,8 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
         double q = 0.0;  ///< ω²
         double with = 0.0;
         double without = 0.0;
-        double slope = 0.0;  ///< of the range without a shaft by q
-        double ratio() const { return with / divisor_of(without, true); }
+        double slope = 0.0;  ///< of the value without a shaft by q
+        double ratio = 0.0;
     };
     const auto end_of = [&](const Speed& speed) -> End {
         const double q = squared(speed.angular_speed);
@@ -223,10 +207,12 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
             criterion == Criterion::range
                 ? inertia_(speed.without.max.angle_deg) - inertia_(speed.without.min.angle_deg)
                 : twice_covariance_ + 2.0 * q * inertia_variance_;
-        return {q, speed.with_shaft(criterion, alpha), speed.without_shaft(criterion), slope};
+        const double with = speed.with_shaft(criterion, alpha);
+        return {q, with, speed.without_shaft(criterion), slope,
+                with / speed.divisor(criterion, Measure::relative)};
     };
     const auto max_between = [](const End& left, const End& right) {
-        const double at_ends = std::max(left.ratio(), right.ratio());
+        const double at_ends = std::max(left.ratio, right.ratio);
         // Where the two tangents meet, from the left end.
         const double width = right.q - left.q;
         const double bend = right.slope - left.slope;
@@ -247,7 +233,7 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
     }
     std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.q < b.q; });
     End worst = *std::max_element(ends.begin(), ends.end(),
-                                  [](const End& a, const End& b) { return a.ratio() < b.ratio(); });
+                                  [](const End& a, const End& b) { return a.ratio < b.ratio; });
     std::optional<Speed> found;
     using Interval = std::array<End, 2>;
     std::vector<Interval> open;
@@ -260,13 +246,13 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
         open.pop_back();
         const double width = interval[1].q - interval[0].q;
         if (width <= exact * interval[1].q ||
-            max_between(interval[0], interval[1]) <= worst.ratio() * (1.0 + exact)) {
+            max_between(interval[0], interval[1]) <= worst.ratio * (1.0 + exact)) {
             continue;
         }
         const Speed speed = speed_at(std::sqrt(interval[0].q + width / 2.0));
         ++evaluations;
         const End middle = end_of(speed);
-        if (middle.ratio() > worst.ratio()) {
+        if (middle.ratio > worst.ratio) {
             worst = middle;
             found = speed;
         }
@@ -277,12 +263,10 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
 }
 
 SpeedStudy::BestCompromise SpeedStudy::best_compromise_angle(
-    Criterion criterion, Measure measure, std::vector<AngleStretch> within) const {
+    Criterion criterion, Measure measure, const std::vector<AngleStretch>& within) const {
     if (speeds_.empty()) {
         return {};
     }
-    turn(within);
-    const bool by_range = criterion == Criterion::range;
     // The best angle for some speeds, the worst speed for that angle, which joins them: so the best
     // for some becomes the best for the band.
     // In N·m the criterion is convex in ω²: the worst speed is an end of the band. Of the ratio a
@@ -295,38 +279,37 @@ SpeedStudy::BestCompromise SpeedStudy::best_compromise_angle(
         speeds.push_back(&speeds_[k * last / intervals]);
     }
     std::deque<Speed> added;
-    AtSpeeds best;
-    double worst = 0.0;
-    double worst_speed = 0.0;
+    BestCompromise best;
+    double bound = 0.0;
     constexpr int max_rounds = 60;
     for (int round = 0; round < max_rounds; ++round) {
-        best = best_compromise_of(speeds, criterion, measure, within);
-        worst = best.value;
-        worst_speed = best.worst_speed;
+        best = best_compromise_of(speeds, criterion, measure, turned(within, phase_));
+        bound = best.value - best.gap;
         if (measure == Measure::absolute) {
             break;
         }
-        std::optional<Speed> other = worst_speed_of(speeds, criterion, best.alpha);
+        std::optional<Speed> other = worst_speed_of(speeds, criterion, best.shaft_angle);
         if (!other) {
             break;
         }
-        const double value = cut(*other, criterion, measure, best.alpha).value;
-        if (value > worst) {
-            worst = value;
-            worst_speed = other->angular_speed;
+        const double value = other->cut(criterion, measure, best.shaft_angle).value;
+        const bool is_same = value <= best.value * (1.0 + exact);
+        if (value > best.value) {
+            best.value = value;
+            best.worst_speed = other->angular_speed;
         }
-        if (value <= best.value * (1.0 + exact)) {
+        if (is_same) {
             break;
         }
         speeds.push_back(&added.emplace_back(*std::move(other)));
     }
-    const double bound = best.value - best.gap;
-    BestCompromise answer;
-    answer.shaft_angle = wrap_turn(best.alpha - phase_);
-    answer.value = by_range ? worst : rms_of(worst);
-    answer.gap = answer.value - (by_range ? bound : rms_of(bound));
-    answer.worst_speed = worst_speed;
-    return answer;
+    if (criterion == Criterion::rms) {
+        best.value = std::sqrt(std::max(best.value, 0.0));
+        bound = std::sqrt(std::max(bound, 0.0));
+    }
+    best.gap = best.value - bound;
+    best.shaft_angle = wrap_turn(best.shaft_angle - phase_);
+    return best;
 }
 
 }  // namespace ravnoves::balance_shaft

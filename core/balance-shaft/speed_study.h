@@ -79,8 +79,9 @@ class SpeedStudy {
     /// at an α its convexity (absolute: an end of the band) or branch and bound (relative). The
     /// study must be complete.
     /// @param within  the angles to choose from, one stretch at least
-    BestCompromise best_compromise_angle(Criterion criterion, Measure measure,
-                                         std::vector<AngleStretch> within = whole_turn()) const;
+    BestCompromise best_compromise_angle(
+        Criterion criterion, Measure measure,
+        const std::vector<AngleStretch>& within = whole_turn()) const;
     const BuildableAngles& buildable() const { return buildable_; }
 
   private:
@@ -91,32 +92,21 @@ class SpeedStudy {
         MomentPlane::Extrema without;  ///< a shaft
 
         /// The range, or the mean square about the mean, at α + phase_ and without a shaft.
-        double with_shaft(Criterion criterion, double alpha) const {
-            const MomentPlane::Moment shaft = shaft_at(amplitude, alpha);
-            return criterion == Criterion::range ? plane.range(shaft) : plane.variance(shaft);
-        }
-        double without_shaft(Criterion criterion) const {
-            return criterion == Criterion::range ? without.range() : plane.variance({0.0, 0.0});
-        }
-    };
-    /// The best compromise angle for some speeds; of the RMS the square.
-    struct AtSpeeds {
-        double alpha = 0.0;
-        double value = 0.0;
-        double gap = 0.0;
-        double worst_speed = 0.0;
+        double with_shaft(Criterion criterion, double alpha) const;
+        double without_shaft(Criterion criterion) const;
+        /// What the value with the shaft is divided by.
+        double divisor(Criterion criterion, Measure measure) const;
+        /// The quotient, with a sinusoid of α that bounds it.
+        Cut cut(Criterion criterion, Measure measure, double alpha) const;
     };
 
     Speed speed_at(double angular_speed) const;
-    static double divisor(const Speed& speed, Criterion criterion, Measure measure);
-    static Cut cut(const Speed& speed, Criterion criterion, Measure measure, double alpha);
-    static AtSpeeds best_compromise_of(const std::vector<const Speed*>& speeds, Criterion criterion,
-                                       Measure measure, const std::vector<AngleStretch>& within);
+    /// For some speeds alone: at α + phase_, of the RMS the square.
+    static BestCompromise best_compromise_of(const std::vector<const Speed*>& speeds,
+                                             Criterion criterion, Measure measure,
+                                             const std::vector<AngleStretch>& within);
     std::optional<Speed> worst_speed_of(const std::vector<const Speed*>& speeds,
                                         Criterion criterion, double alpha) const;
-
-    /// From α to α + phase_, which the moments go by.
-    void turn(std::vector<AngleStretch>& stretches) const;
 
     Message reason_;
     BuildableAngles buildable_;
