@@ -56,10 +56,6 @@ double nearest_angle(const std::vector<AngleStretch>& stretches, double angle) {
     return found;
 }
 
-double ShaftClearance::minimum() const {
-    return std::min({crank, cylinder, rod});
-}
-
 ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle) {
     const double x = view.centre_distance * std::sin(shaft_angle);
     const double y = view.centre_distance * std::cos(shaft_angle);
@@ -177,17 +173,14 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
     others.centre_distance_max.reset();
     answer.stretches = clear_angles(ShaftPlaces(view, others), distance);
     if (answer.stretches.empty()) {
-        const auto millimetres = [](double metres) {
-            return Number{metres / units::mm, units::mm, 4};
-        };
         answer.reason =
             clear_angles(ShaftPlaces(view, {}), distance).empty()
                 ? Message(Text::tr("At every angle the shaft's swing circle (radius %1, clearance "
                                    "%2) meets the cylinder or the rod."),
-                          millimetres(view.shaft_swing_radius), millimetres(view.clearance))
+                          in_mm(view.shaft_swing_radius), in_mm(view.clearance))
                 : Message(Text::tr("At the centre distance %1 no angle within the limits clears "
                                    "cylinder and rod."),
-                          millimetres(distance));
+                          in_mm(distance));
     }
     return answer;
 }

@@ -17,7 +17,6 @@ struct ShaftClearance {
     double crank = 0.0;     ///< swing circle of the crank
     double cylinder = 0.0;  ///< the cylinder with its wall
     double rod = 0.0;       ///< all that the rod sweeps over a turn
-    double minimum() const;
 };
 
 /// Of a place in the front view from the cylinder with its wall, m; negative inside.

@@ -33,7 +33,6 @@ MechanismPose mechanism_pose(const Solver& solver, double crank_angle, double sh
                        view.centre_distance * std::cos(shaft_angle)};
     pose.shaft_counterweight = {pose.shaft_axis.x + rho * shaft_direction.x,
                                 pose.shaft_axis.y + rho * shaft_direction.y};
-    pose.inertia_force = {0.0, -mass * piston.d2s * speed2};
     pose.inertia_force_1 = {0.0, mass * first_order.radius * speed2 * cos_1};
     const double force = solver.moments().forces.counterweight_force;
     pose.crank_counterweight_force = {force * crank_direction.x, force * crank_direction.y};

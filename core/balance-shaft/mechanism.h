@@ -17,8 +17,7 @@ struct MechanismPose {
     Vector2 crank_counterweight;  ///< its centre of mass
     Vector2 shaft_axis;
     Vector2 shaft_counterweight;  ///< its centre of mass
-    Vector2 inertia_force;    ///< of the reciprocating mass, exact kinematics, at the piston pin
-    Vector2 inertia_force_1;  ///< its first order
+    Vector2 inertia_force_1;      ///< of the reciprocating mass, first order, at the piston pin
     Vector2 crank_counterweight_force;
     Vector2 shaft_counterweight_force;
     double M_up = 0.0;   ///< N·m

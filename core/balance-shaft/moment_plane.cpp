@@ -190,7 +190,7 @@ void MomentPlane::search_branch(const Side& side, std::size_t interval, std::siz
     const double sine = at.a * cos_[j] + at.b * sin_[j];
     const double left = cubic.y + sine;
     if (left > best.value) {
-        best = {left, cubic.y, cos_[j], sin_[j], branch.from_deg};
+        best = {left, cos_[j], sin_[j], branch.from_deg};
     }
     const double sine_last = at.a * cos_[next] + at.b * sin_[next];
     const double bow = at.size * chord_[interval];
@@ -203,10 +203,9 @@ void MomentPlane::search_branch(const Side& side, std::size_t interval, std::siz
     const double rise_last = cubic.slope(width) + at.b * cos_[next] - at.a * sin_[next];
     const auto offer = [&](double t) {
         const auto [c, s] = short_cos_sin(t);
-        const double moment = cubic.value(t);
-        const double value = moment + sine * c + slope * s;
+        const double value = cubic.value(t) + sine * c + slope * s;
         if (value > best.value) {
-            best = {value, moment, cos_[j] * c - sin_[j] * s, sin_[j] * c + cos_[j] * s,
+            best = {value, cos_[j] * c - sin_[j] * s, sin_[j] * c + cos_[j] * s,
                     branch.from_deg + t / degree};
         }
     };
@@ -308,7 +307,6 @@ MomentPlane::Extrema MomentPlane::operator()(const Moment& shaft) const {
     Extrema found{highest(up_, at(up_, shaft), block_peaks),
                   highest(down_, at(down_, shaft), block_peaks)};
     found.min.value = -found.min.value;
-    found.min.moment = -found.min.moment;
     for (Place* const place : {&found.max, &found.min}) {
         place->angle_deg = wrap(place->angle_deg, period_);
     }

@@ -27,9 +27,8 @@ class MomentPlane {
 
     /// A place φ of the cycle and its values.
     struct Place {
-        double value = 0.0;   ///< M(φ) + a cos φ + b sin φ, N·m
-        double moment = 0.0;  ///< M(φ), N·m
-        double cos = 1.0;     ///< of φ
+        double value = 0.0;  ///< M(φ) + a cos φ + b sin φ, N·m
+        double cos = 1.0;    ///< of φ
         double sin = 0.0;
         double angle_deg = 0.0;  ///< φ, from 0 to the end of the cycle
     };

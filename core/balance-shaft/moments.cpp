@@ -64,7 +64,7 @@ Optimum best_range(const Moments& moments, const MomentMetrics& tipping) {
         return {std::nullopt, tipping.range, makes_no_moment};
     }
     const AngleMinimum best = minimise_range(moments.plane, moments.forces.moment_amplitude);
-    if (best.worst - best.value > moment_rounding * best.worst) {
+    if (best.worst - best.value > rounding_share * best.worst) {
         return {wrap_turn(best.alpha - moments.phase), best.value, {}};
     }
     return {std::nullopt, best.value,
@@ -77,7 +77,7 @@ Optimum best_rms(const Moments& moments, const MomentMetrics& tipping) {
     }
     // The variance is smallest where the shaft's moment opposes M_up's first order.
     const MomentPlane::Moment& opposed = moments.plane.opposed();
-    if (opposed.norm() > moment_rounding * size_of(tipping)) {
+    if (opposed.norm() > rounding_share * size_of(tipping)) {
         const double angle = wrap_turn(std::atan2(opposed.x(), opposed.y()) - moments.phase);
         return {angle, moments.plane.rms(moments.shaft_moment(angle)), {}};
     }
@@ -123,15 +123,6 @@ void Moments::follow(const Input& checked) {
     forces = forces_of(checked);
 }
 
-void Moments::sweep(std::span<const double> alpha, std::span<double> range,
-                    std::span<double> rms) const {
-    std::vector<double> turned(alpha.begin(), alpha.end());
-    for (double& angle : turned) {
-        angle += phase;
-    }
-    balance_shaft::sweep(plane, forces.moment_amplitude, turned, range, rms);
-}
-
 void Moments::fill(const Input& input, bool optima, Result& result) const {
     result.angular_speed = input.angular_speed;
     result.reciprocating_mass = input.reciprocating_mass();
@@ -140,7 +131,7 @@ void Moments::fill(const Input& input, bool optima, Result& result) const {
     result.order_1_amplitude = plane.opposed().norm();
     result.order_1_phase = std::atan2(-plane.opposed().x(), -plane.opposed().y());
     const double variance = plane.variance({0.0, 0.0});
-    if (result.M_up.range > moment_rounding * size_of(result.M_up) && variance > 0.0) {
+    if (result.M_up.range > rounding_share * size_of(result.M_up) && variance > 0.0) {
         result.order_1_share =
             std::min(result.order_1_amplitude * result.order_1_amplitude / (2.0 * variance), 1.0);
     }

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "balance-shaft/angle_search.h"
 #include "balance-shaft/input.h"
@@ -36,9 +34,6 @@ struct Moments {
     MomentPlane::Moment shaft_moment(double alpha) const {
         return shaft_at(forces.moment_amplitude, alpha + phase);
     }
-    /// Ranges and RMS of M_ups at many angles, cheaper where neighbours in the list are near each
-    /// other.
-    void sweep(std::span<const double> alpha, std::span<double> range, std::span<double> rms) const;
 
     /// What a result says of all this, at the input's α: its numbers up to the metrics and their
     /// changes. @param optima  the best α as well
@@ -51,7 +46,7 @@ struct Moments {
 /// computed one and the offset's part depend on.
 bool have_same_tipping_moment(const Input& one, const Input& other);
 
-/// Differences below this part of the size are rounding.
-inline constexpr double moment_rounding = 1e-12;
+/// Values that differ by less than this part of their size are equal: the rest is rounding.
+inline constexpr double rounding_share = 1e-12;
 
 }  // namespace ravnoves::balance_shaft

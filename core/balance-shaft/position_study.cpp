@@ -16,13 +16,6 @@
 
 namespace ravnoves::balance_shaft {
 
-namespace {
-
-/// The moment's coefficients by cos φ and sin φ, N·m.
-using Moment = MomentPlane::Moment;
-
-}  // namespace
-
 PositionStudy::PositionStudy(const Solver& solver)
     : solver_(solver),
       places_(solver.front_view(), solver.input().place_limits),
@@ -132,11 +125,10 @@ BestPositions PositionStudy::best() const {
     return answer;
 }
 
-BestPosition PositionStudy::smallest_buildable(const BestPosition& best, bool by_range,
-                                               double more) const {
+BestPosition PositionStudy::smallest_buildable(const BestPosition& best, bool by_range) const {
     const PlaceCriterion own = question_of_sum(by_range ? 1.0 : 0.0).criterion;
     const Eigen::Vector2d start(best.position.x, best.position.y);
-    const PlaceLimit good_enough{own, (1.0 + more) * own(start).value};
+    const PlaceLimit good_enough{own, 1.01 * own(start).value};
     constexpr double noticed = 1e-3;
     PlaceQuestion of_size = question_of_size();
     of_size.tolerance = noticed * best.criteria.size;
@@ -192,7 +184,8 @@ BestPositions PositionStudy::best_buildable() const {
     answer.rms = best_built(0.0, *answer.rms);
     if (!answer.range || !answer.rms) {
         answer = {};
-        answer.reason = ShaftPlaces::reason_for_none();
+        answer.reason = Text::tr(
+            "No place within the limits clears crank, cylinder and rod with the gears in mesh.");
     }
     return answer;
 }
@@ -215,10 +208,10 @@ std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const 
         }
     };
     // Range and RMS as parts of what they are without a shaft.
-    const double by_range = 1.0 / std::max(range_without_, moment_rounding);
-    const double by_rms = 1.0 / std::max(rms_without_, moment_rounding);
+    const double by_range = 1.0 / std::max(range_without_, rounding_share);
+    const double by_rms = 1.0 / std::max(rms_without_, rounding_share);
     constexpr int sizes = 10;
-    constexpr double same = 1e-6;
+    constexpr double same = front_gap;
     constexpr double narrowest = 0.02;
     constexpr int weights = 5;
     for (int i = 0; i < weights; ++i) {

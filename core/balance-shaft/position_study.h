@@ -73,12 +73,11 @@ class PositionStudy {
 
     BestPositions best() const;            ///< over all places
     BestPositions best_buildable() const;  ///< over the feasible ones
-    /// Of the feasible places with at most (1 + more) times the best one's criterion, one of the
-    /// smallest size, to a thousandth; of several the one that is best by the other criterion. The
-    /// gap is the size's, m².
+    /// Of the feasible places at most a hundredth worse than the best one by its criterion, one of
+    /// the smallest size, to a thousandth; of several the one that is best by the other criterion.
+    /// The gap is the size's, m².
     /// @param best  best_buildable() by range or by RMS
-    BestPosition smallest_buildable(const BestPosition& best, bool by_range,
-                                    double more = 0.01) const;
+    BestPosition smallest_buildable(const BestPosition& best, bool by_range) const;
 
     Obstacle obstacle(const ShaftPosition& position) const;
     Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none
@@ -94,16 +93,16 @@ class PositionStudy {
                     std::size_t rows) const;
 
   private:
+    using Moment = MomentPlane::Moment;
+
     const MomentPlane& plane() const { return solver_.moments().plane; }
     /// M_s = a cos φ + b sin φ = P₁ l sin(α + φ + phase) of a place: (a, b), N·m.
-    MomentPlane::Moment moment(const Eigen::Vector2d& place) const {
-        return force_ * (turn_ * place);
-    }
+    Moment moment(const Eigen::Vector2d& place) const { return force_ * (turn_ * place); }
     /// P₁ must not be 0.
-    Eigen::Vector2d place_of(const MomentPlane::Moment& moment) const {
+    Eigen::Vector2d place_of(const Moment& moment) const {
         return turn_.transpose() * moment / force_;
     }
-    bool is_constant() const { return range_without_ <= moment_rounding * size_; }
+    bool is_constant() const { return range_without_ <= rounding_share * size_; }
     /// weight × range + (1 − weight) × RMS, N·m.
     PlaceQuestion question_of_sum(double weight) const;
     PlaceQuestion question_of_size() const;

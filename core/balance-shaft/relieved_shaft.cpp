@@ -17,10 +17,6 @@ namespace {
 
 constexpr const char* root = "/input/relieved_shaft";
 
-Number in_mm(double metres) {
-    return {metres / units::mm, units::mm, 4};
-}
-
 }  // namespace
 
 double half_disc_length(double radius, double unbalance, double density) {
@@ -120,7 +116,7 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
     return shaft;
 }
 
-std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title) {
+std::string relieved_shaft_dxf(const RelievedShaft& shaft) {
     if (!shaft.feasible) {
         throw InputError("", {Text::tr("no drawing: %1"), shaft.reason});
     }
@@ -164,9 +160,6 @@ std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& ti
         y -= 1.6 * height;
     };
     const auto mm = [](double metres) { return format_number(metres / units::mm, 6); };
-    if (!title.empty()) {
-        note(title);
-    }
     note("Balance shaft with a relieved middle; dimensions in mm, scale 1:1");
     note("Diameter " + mm(shaft.diameter) + ", depth " + mm(shaft.depth) + ", length " +
          mm(shaft.length) + ", width of the flat " + mm(2.0 * shaft.half_width));

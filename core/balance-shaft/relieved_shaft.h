@@ -8,6 +8,11 @@
 
 namespace ravnoves::balance_shaft {
 
+/// A size as messages show it.
+inline Number in_mm(double metres) {
+    return {metres / units::mm, units::mm, 4};
+}
+
 /// A balance shaft with a relieved middle. Of diameter, depth and length two are given and the
 /// third is sized; with all three given the shaft is only checked.
 struct RelievedShaftSizes {
@@ -63,6 +68,6 @@ void check_relieved_shaft(const RelievedShaftSizes& sizes);
 /// Section and side view as a DXF text, real size, mm: outline on the layer SHAFT, the milled-away
 /// part on REMOVED, axes on AXIS, sizes on NOTE.
 /// @throws InputError where the shaft is not feasible
-std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title);
+std::string relieved_shaft_dxf(const RelievedShaft& shaft);
 
 }  // namespace ravnoves::balance_shaft

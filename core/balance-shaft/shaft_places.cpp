@@ -76,11 +76,6 @@ ShaftPlaces::ShaftPlaces(const FrontView& view, const PlaceLimits& limits)
     }
 }
 
-Message ShaftPlaces::reason_for_none() {
-    return Text::tr(
-        "No place within the limits clears crank, cylinder and rod with the gears in mesh.");
-}
-
 Obstacle ShaftPlaces::obstacle_at_distance(double l) const {
     if (l < needed_crank_ - rounding_) {
         return Obstacle::crank;
@@ -118,16 +113,15 @@ double ShaftPlaces::spare(double x, double y) const {
 }
 
 Message ShaftPlaces::reason(Obstacle obstacle, double l) const {
-    const auto millimetres = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
-    const Number swing = millimetres(view_.shaft_swing_radius);
-    const Number gap = millimetres(view_.clearance);
+    const Number swing = in_mm(view_.shaft_swing_radius);
+    const Number gap = in_mm(view_.clearance);
     switch (obstacle) {
         case Obstacle::none:
             break;
         case Obstacle::crank:
             return {Text::tr("The shaft's swing circle (radius %1, clearance %2) meets the crank: "
                              "centre distance %4, minimum %3."),
-                    swing, gap, millimetres(needed_crank_), millimetres(l)};
+                    swing, gap, in_mm(needed_crank_), in_mm(l)};
         case Obstacle::cylinder:
             return {
                 Text::tr("The shaft's swing circle (radius %1, clearance %2) meets the cylinder."),
@@ -138,16 +132,15 @@ Message ShaftPlaces::reason(Obstacle obstacle, double l) const {
         case Obstacle::gears:
             return {Text::tr("The gears do not mesh: with a tip radius of %1 the centre distance "
                              "must be %2 to %3, not %4."),
-                    millimetres(view_.gear_tip_radius), millimetres(gears_min_),
-                    millimetres(gears_max_), millimetres(l)};
+                    in_mm(view_.gear_tip_radius), in_mm(gears_min_), in_mm(gears_max_), in_mm(l)};
         case Obstacle::limits:
             if (l < limits_.centre_distance_min.value_or(l)) {
                 return {Text::tr("Centre distance %2 is below the minimum of %1."),
-                        millimetres(*limits_.centre_distance_min), millimetres(l)};
+                        in_mm(*limits_.centre_distance_min), in_mm(l)};
             }
             if (l > limits_.centre_distance_max.value_or(l)) {
                 return {Text::tr("Centre distance %2 is above the maximum of %1."),
-                        millimetres(*limits_.centre_distance_max), millimetres(l)};
+                        in_mm(*limits_.centre_distance_max), in_mm(l)};
             }
             return Text::tr("The place is outside the limits.");
     }

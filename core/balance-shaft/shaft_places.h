@@ -64,7 +64,6 @@ class ShaftPlaces {
     /// By how much a place clears cylinder and rod, up to rounding, and is within the limits, m.
     double spare(double x, double y) const;
     Message reason(Obstacle obstacle, double l) const;  ///< a sentence; empty: none
-    static Message reason_for_none();  ///< why there is no place at all, as a sentence
 
     const FrontView& view() const { return view_; }
 

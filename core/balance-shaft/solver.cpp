@@ -62,7 +62,6 @@ constexpr double usual_bores = 2.0;  ///< of a shaft's length: a crank with its 
 
 RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
     RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
-    const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
     const auto note_first = [&shaft](const Message& note) {
         shaft.note = shaft.note.empty() ? note : Message(Text{"%1 %2"}, note, shaft.note);
     };
@@ -208,15 +207,15 @@ void Solver::Prepared::prepare_sweep() {
     sweep.mean_M_ups.assign(count, base.M_up.mean);
     sweep.range.resize(count);
     sweep.rms.resize(count);
-    std::vector<double> alpha;
-    alpha.reserve(count);
+    std::vector<double> turned;
+    turned.reserve(count);
     for (const double angle : sweep.shaft_angle_deg) {
-        alpha.push_back(angle * degree);
+        turned.push_back(angle * degree + phase);
     }
-    Moments::sweep(alpha, sweep.range, sweep.rms);
-    for (const double angle : alpha) {
+    balance_shaft::sweep(plane, forces.moment_amplitude, turned, sweep.range, sweep.rms);
+    for (const double angle : turned) {
         const double printed =
-            printed_mean_of_shaft_moment(forces.moment_amplitude, angle + phase, input.strokes);
+            printed_mean_of_shaft_moment(forces.moment_amplitude, angle, input.strokes);
         sweep.printed_mean_M_s.push_back(printed);
         sweep.printed_mean_M_ups.push_back(printed + base.printed_mean_M_up);
     }

@@ -268,7 +268,7 @@ QWidget* RelievedShaftView::buildForm() {
             saveFile(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()},
                      [this](const QString& path) {
                          return writeFile(path, [this] {
-                             return relieved_shaft_dxf(model_->result().relieved_shaft, {});
+                             return relieved_shaft_dxf(model_->result().relieved_shaft);
                          });
                      });
         }

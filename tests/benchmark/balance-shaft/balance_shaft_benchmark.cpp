@@ -66,7 +66,8 @@ void sweep(benchmark::State& state) {
     std::vector<double> range(alpha.size());
     std::vector<double> rms(alpha.size());
     for (auto _ : state) {
-        solver.moments().sweep(alpha, range, rms);
+        balance_shaft::sweep(solver.moments().plane, solver.moments().forces.moment_amplitude,
+                             alpha, range, rms);
         benchmark::DoNotOptimize(range.data());
         benchmark::DoNotOptimize(rms.data());
         benchmark::ClobberMemory();

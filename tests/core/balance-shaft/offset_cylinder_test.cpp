@@ -137,15 +137,17 @@ TEST(OffsetCylinder, CounterweightsMeetTheFirstOrder) {
         for (int i = 0; i < count; ++i) {
             const double phi = two_pi * i / count;
             const MechanismPose pose = mechanism_pose(solver, phi, 1.0);
-            const Vector2 sum{pose.crank_counterweight_force.x + pose.shaft_counterweight_force.x,
-                              pose.inertia_force.y + pose.crank_counterweight_force.y +
-                                  pose.shaft_counterweight_force.y};
+            const double inertia = -input.reciprocating_mass() * std::pow(input.angular_speed, 2) *
+                                   solver.moments().crank.at(phi + solver.moments().top).d2s;
+            const Vector2 sum{
+                pose.crank_counterweight_force.x + pose.shaft_counterweight_force.x,
+                inertia + pose.crank_counterweight_force.y + pose.shaft_counterweight_force.y};
             x_cos += sum.x * std::cos(phi) * 2.0 / count;
             x_sin += sum.x * std::sin(phi) * 2.0 / count;
             y_cos += sum.y * std::cos(phi) * 2.0 / count;
             y_sin += sum.y * std::sin(phi) * 2.0 / count;
-            inertia_cos += pose.inertia_force.y * std::cos(phi) * 2.0 / count;
-            inertia_sin += pose.inertia_force.y * std::sin(phi) * 2.0 / count;
+            inertia_cos += inertia * std::cos(phi) * 2.0 / count;
+            inertia_sin += inertia * std::sin(phi) * 2.0 / count;
         }
         EXPECT_NEAR(std::hypot(x_cos, x_sin), 0.0, 1e-8);
         EXPECT_NEAR(std::hypot(y_cos, y_sin), balance.with_shaft, 1e-8);
