@@ -47,9 +47,7 @@ struct Row {
 struct Fit {
     double scale = 0.0;  ///< C, N·m
     double lambda = 0.0;
-    double gas = 0.0;       ///< d, N·m
     double residual = 0.0;  ///< weighted RMS, N·m
-    double begin_deg = 0.0;
     bool at_bound = false;  ///< λ ends on a bound of its search
     bool found = false;
 
@@ -81,10 +79,8 @@ std::vector<Row> rows_of_stroke(const TorqueTable& table, double begin_deg) {
 Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_deg,
                std::optional<double> lambda_given) {
     const std::vector<Row> rows = rows_of_stroke(table, begin_deg);
-    Fit fit;
-    fit.begin_deg = begin_deg;
     if (rows.size() < fewest_rows) {
-        return fit;
+        return {};
     }
     double weights = 0.0;
     double squares = 0.0;
@@ -93,15 +89,10 @@ Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_de
         squares += row.weight * row.torque * row.torque;
     }
     if (!(squares > 0.0)) {
-        return fit;
+        return {};
     }
     // For each λ the other two are linear: C g(θ; λ) − d s′(θ; λ) by the normal equations.
-    struct Linear {
-        double scale;
-        double gas;
-        double residual;
-    };
-    const auto solve_at = [&](double lambda) -> Linear {
+    const auto fit_at = [&](double lambda) -> Fit {
         double gg = 0.0;
         double gs = 0.0;
         double ss = 0.0;
@@ -121,37 +112,34 @@ Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_de
         const double scale = (ss * gt - gs * st) / determinant;
         const double gas = (gg * st - gs * gt) / determinant;
         const double square = squares - scale * gt - gas * st;
-        return {scale, gas, std::sqrt(std::max(square, 0.0) / weights)};
+        return {.scale = scale,
+                .lambda = lambda,
+                .residual = std::sqrt(std::max(square, 0.0) / weights),
+                .found = scale > 0.0};
     };
-    const auto residual_at = [&](double lambda) { return solve_at(lambda).residual; };
     if (lambda_given) {
-        fit.lambda = *lambda_given;
-    } else {
-        // A scan first: the residual may have more than one minimum over λ.
-        constexpr int scans = 16;
-        const double maximum = max_lambda(relative_offset);
-        const double step = (maximum - min_lambda) / scans;
-        int best = 0;
-        double minimum = residual_at(min_lambda);
-        for (int i = 1; i <= scans; ++i) {
-            const double residual = residual_at(min_lambda + i * step);
-            if (residual < minimum) {
-                minimum = residual;
-                best = i;
-            }
+        return fit_at(*lambda_given);
+    }
+    // A scan first: the residual may have more than one minimum over λ.
+    const auto residual_at = [&](double lambda) { return fit_at(lambda).residual; };
+    constexpr int scans = 16;
+    const double maximum = max_lambda(relative_offset);
+    const double step = (maximum - min_lambda) / scans;
+    int best = 0;
+    double minimum = residual_at(min_lambda);
+    for (int i = 1; i <= scans; ++i) {
+        const double residual = residual_at(min_lambda + i * step);
+        if (residual < minimum) {
+            minimum = residual;
+            best = i;
         }
-        fit.lambda = boost::math::tools::brent_find_minima(
+    }
+    Fit fit = fit_at(boost::math::tools::brent_find_minima(
                          residual_at, std::max(min_lambda, min_lambda + (best - 1) * step),
                          std::min(maximum, min_lambda + (best + 1) * step), 30)
-                         .first;
-        constexpr double near_bound = 1e-3;
-        fit.at_bound = fit.lambda < min_lambda + near_bound || fit.lambda > maximum - near_bound;
-    }
-    const Linear solved = solve_at(fit.lambda);
-    fit.residual = solved.residual;
-    fit.scale = solved.scale;
-    fit.gas = solved.gas;
-    fit.found = fit.scale > 0.0;
+                         .first);
+    constexpr double near_bound = 1e-3;
+    fit.at_bound = fit.lambda < min_lambda + near_bound || fit.lambda > maximum - near_bound;
     return fit;
 }
 
@@ -196,9 +184,7 @@ InertiaCheck check_inertia(const Input& input) {
     const auto moment = [](double value) {
         return Number{rounded_to_digits(value, 3), units::N_m};
     };
-    const auto number = [](double value, int digits = 3) {
-        return Number{rounded_to_digits(value, digits)};
-    };
+    const auto number = [](double value) { return Number{rounded_to_digits(value, 3)}; };
     if (!is_believed(fit) || !(check.entered > 0.0)) {
         check.is_of_other_rod = false;
         check.lambda_fitted = !lambda;
@@ -219,14 +205,13 @@ InertiaCheck check_inertia(const Input& input) {
     }
     check.fitted = fit.scale;
     check.fitted_lambda = fit.lambda;
-    check.gas_exchange = fit.gas;
     check.residual_rms = fit.residual;
-    check.stroke_begin_deg = fit.begin_deg;
     const double ratio = fit.scale / check.entered;
     check.consistent = !check.is_of_other_rod && std::abs(ratio - 1.0) <= InertiaCheck::tolerance;
     check.matching_speed = speed * std::sqrt(ratio);
     check.matching_mass = mass * ratio;
     if (check.is_of_other_rod) {
+        check.warning = Text::tr("Torque and rod do not match.");
         check.text = {
             Text::tr("Torque and rod do not match, so the best angles are not meaningful: r/L is "
                      "%1 in the torque, %2 by the input; the torque fits a rod length of %3."),
@@ -234,21 +219,52 @@ InertiaCheck check_inertia(const Input& input) {
             Number{rounded_to_digits(input.crank_radius / fit.lambda / units::mm, 3), units::mm}};
         return check;
     }
-    check.text =
-        *check.consistent
-            ? Message(
-                  Text::tr("Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 "
-                           "by the input; difference %4, tolerance %5."),
-                  moment(fit.scale), number(fit.lambda), moment(check.entered),
-                  Number{100.0 * std::abs(ratio - 1.0), units::percent, -1},
-                  Number{100.0 * InertiaCheck::tolerance, units::percent, 2})
-            : Message(
-                  Text::tr("Torque and masses do not match, so the best angles are not meaningful: "
-                           "mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque "
-                           "fits %4 or %5."),
-                  moment(fit.scale), number(fit.lambda), moment(check.entered),
-                  Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
-                  Number{rounded_to_digits(check.matching_mass, 3), units::kg});
+    const auto percent = [](double part) { return Number{100.0 * part, units::percent, -1}; };
+    const Number fitting_speed{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm};
+    const Number fitting_mass{rounded_to_digits(check.matching_mass, 3), units::kg};
+    const double difference = std::abs(ratio - 1.0);
+    const double bore = input.effective_bore();
+    const double doubt =
+        InertiaCheck::masses_doubt +
+        (InertiaCheck::pressure_doubt * pi / 4.0 * bore * bore * input.crank_radius +
+         InertiaCheck::residual_doubt * fit.residual) /
+            check.entered;
+    if (!*check.consistent) {
+        check.warning = {Text::tr("Torque and masses do not match: the torque fits %1 or %2."),
+                         fitting_speed, fitting_mass};
+        check.text = {
+            Text::tr("Torque and masses do not match, so the best angles are not meaningful: "
+                     "mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque "
+                     "fits %4 or %5."),
+            moment(fit.scale),
+            number(fit.lambda),
+            moment(check.entered),
+            fitting_speed,
+            fitting_mass};
+    } else if (difference > doubt) {
+        check.warning = {Text::tr("Torque and masses differ by %1: the torque fits %2 or %3."),
+                         percent(difference), fitting_speed, fitting_mass};
+        check.text = {
+            Text::tr("Torque and masses differ by %1, more than the uncertainty of the check, %2: "
+                     "mⱼ r² ω² is %3 in the torque (r/L = %4), %5 by the input; the torque fits "
+                     "%6 or %7."),
+            percent(difference),
+            percent(doubt),
+            moment(fit.scale),
+            number(fit.lambda),
+            moment(check.entered),
+            fitting_speed,
+            fitting_mass};
+    } else {
+        check.text = {
+            Text::tr("Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the "
+                     "input; difference %4, tolerance %5."),
+            moment(fit.scale),
+            number(fit.lambda),
+            moment(check.entered),
+            percent(difference),
+            Number{100.0 * InertiaCheck::tolerance, units::percent, 2}};
+    }
     return check;
 }
 

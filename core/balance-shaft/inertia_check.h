@@ -24,22 +24,27 @@ struct InertiaCheck {
     double entered = 0.0;          ///< m_j r² ω² of the input, N·m
     std::optional<double> fitted;  ///< the table's, N·m; empty where no fit is possible
     double fitted_lambda = 0.0;    ///< r/L of the fit
-    double gas_exchange = 0.0;     ///< d of the fit, N·m
     double residual_rms = 0.0;     ///< of the rows against the fit, N·m
     bool lambda_fitted = true;     ///< false where the rod length gave it
     /// The fit fails with the rod's r/L and succeeds with a free one: the torque belongs to a crank
     /// with fitted_lambda, whatever speed and masses are.
     bool is_of_other_rod = false;
-    double stroke_begin_deg = 0.0;  ///< 0 or 360: the dead centre that begins the stroke
     /// fitted is within tolerance of entered; empty where no fit is possible.
     std::optional<bool> consistent;
     /// The speed at which the masses entered have the fitted inertia torque, rad/s.
     double matching_speed = 0.0;
     /// The reciprocating mass that has it at the speed entered, kg.
     double matching_mass = 0.0;
-    Message text;  ///< what this means, or why nothing can be said, in English sentences
+    Message text;     ///< what this means, or why nothing can be said, in English sentences
+    Message warning;  ///< the same in short, where inconsistent or beyond the doubt; else empty
 
     static constexpr double tolerance = 0.15;  ///< of fitted against entered
+    // The doubt: what fitted and entered may differ by though speed and masses are right. Masses
+    // are known to some percent, mostly by the share of the rod; a pressure that rises or falls
+    // over the stroke is an inertia torque to the fit; so is a part of what the fit leaves.
+    static constexpr double masses_doubt = 0.05;
+    static constexpr double pressure_doubt = 0.1e5;  ///< Pa, on the piston at the crank's radius
+    static constexpr double residual_doubt = 2.5;    ///< of the residual (RMS)
     /// The largest residual (RMS) of an accepted fit, as a share of the fitted torque.
     static constexpr double largest_residual = 0.04;
 };

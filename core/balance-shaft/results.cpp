@@ -611,15 +611,7 @@ Verdict verdict(const Result& result) {
     for (const Message& doubt : result.doubts) {
         verdict.warn(doubt);
     }
-    // The notes say how that is known.
-    const InertiaCheck& check = result.inertia_check;
-    if (check.consistent == false && check.is_of_other_rod) {
-        verdict.warn(Text::tr("Torque and rod do not match."));
-    } else if (check.consistent == false) {
-        verdict.warn({Text::tr("Torque and masses do not match: the torque fits %1 or %2."),
-                      Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
-                      Number{rounded_to_digits(check.matching_mass, 3), units::kg}});
-    }
+    verdict.warn(result.inertia_check.warning);  // the notes say how that is known
     if (result.trace_is_a_turn_off) {
         verdict.act = move_trace_act;
     }

@@ -260,7 +260,7 @@ void Solver::Prepared::prepare_notes() {
                                           "%1 long for m₁ ρ₁: more than two bores."),
                                  Number{length / units::mm, units::mm, 3});
     }
-    if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
+    if (!base.inertia_check.warning.empty()) {
         base.notes.push_back(base.inertia_check.text);
     }
     if (forces.moment_amplitude == 0.0) {

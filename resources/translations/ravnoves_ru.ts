@@ -3318,6 +3318,14 @@
         <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла: mⱼ r² ω² в моменте %1 (r/L = %2), по данным %3; моменту отвечает %4 или %5.</translation>
     </message>
     <message>
+        <source>Torque and masses differ by %1: the torque fits %2 or %3.</source>
+        <translation>Момент и массы расходятся на %1: моменту отвечает %2 или %3.</translation>
+    </message>
+    <message>
+        <source>Torque and masses differ by %1, more than the uncertainty of the check, %2: mⱼ r² ω² is %3 in the torque (r/L = %4), %5 by the input; the torque fits %6 or %7.</source>
+        <translation>Момент и массы расходятся на %1, больше погрешности проверки, %2: mⱼ r² ω² в моменте %3 (r/L = %4), по данным %5; моменту отвечает %6 или %7.</translation>
+    </message>
+    <message>
         <source>The torque is computed from the masses and the speed: no check is necessary.</source>
         <translation>Момент вычислен по массам и частоте: проверка не нужна.</translation>
     </message>

@@ -157,7 +157,7 @@ void TorqueSourceEditor::showCheck() {
     if (!table) {
         return;
     }
-    const bool wrong = check.consistent && !*check.consistent;
+    const bool wrong = !check.warning.empty();
     remedies_->setVisible(wrong);
     useSpeed_->setVisible(!check.is_of_other_rod);  // no speed makes another rod of it
     colourText(checkText_, wrong ? &Theme::warning : &Theme::mutedText);

@@ -27,12 +27,10 @@ TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
     EXPECT_NEAR(*check.fitted, 204.91, 0.05);
     EXPECT_NEAR(check.fitted_lambda, 0.3275, 0.0005);
     EXPECT_NEAR(check.residual_rms, 0.8377, 0.0005);
-    EXPECT_NEAR(check.gas_exchange, -2.99, 0.01);
     EXPECT_NEAR(check.entered, 395.0, 0.5);
     EXPECT_FALSE(*check.consistent);
     EXPECT_NEAR(check.matching_speed / units::rpm, 2600.0, 10.0);
     EXPECT_NEAR(check.matching_mass, 0.682, 0.001);
-    EXPECT_EQ(check.stroke_begin_deg, 0.0);
     EXPECT_EQ(result.notes.front(), check.text);
 }
 
@@ -126,6 +124,37 @@ TEST(InertiaCheck, RecoversKnownMassesThroughNoiseAndWarnsAtAQuarterOff) {
     }
 }
 
+// 13 % of the inertia torque is within the tolerance, and was nothing to speak of.
+TEST(InertiaCheck, ATableOfAnotherSpeedIsToldBeyondTheDoubt) {
+    Input input = engine(1.3, 0.15);
+    input.angular_speed = 3000.0 * units::rpm;
+    const TorqueTable table = as_table(input, 5).torque.table;
+    const struct {
+        double speed, noise;
+        const char* said;
+    } rows[] = {
+        {3000, 0.0, ""},
+        {2950, 0.0, ""},  // the masses are not known better
+        {2800, 0.0, "Torque and masses differ by 14.8 %: the torque fits 3000 min⁻¹ or 1.49 kg."},
+        {3180, 0.0, "Torque and masses differ by 11.0 %: the torque fits 3000 min⁻¹ or 1.16 kg."},
+        {2870, 0.0, "Torque and masses differ by 9.3 %: the torque fits 3000 min⁻¹ or 1.42 kg."},
+        {2870, 0.03, ""},  // nor is the torque
+        {2700, 0.0, "Torque and masses do not match: the torque fits 3000 min⁻¹ or 1.6 kg."},
+    };
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.speed);
+        Input typed =
+            with_table(input, row.noise > 0.0 ? noisy_table(input, 5, row.noise, 3) : table);
+        typed.angular_speed = row.speed * units::rpm;
+        const Result result = solve(typed);
+        EXPECT_EQ(result.inertia_check.warning.english(), row.said);
+        EXPECT_EQ(result.inertia_check.consistent, row.speed > 2700);
+        const bool warns = *row.said != '\0';
+        EXPECT_EQ(verdict(result).text.english().ends_with(row.said), true);
+        EXPECT_EQ(std::ranges::count(result.notes, result.inertia_check.text), warns ? 1 : 0);
+    }
+}
+
 TEST(InertiaCheck, FindsTheGasExchangeWhereverTheCycleBegins) {
     const Input truth = engine(1.3, 0.15);
     const TorqueTable table = as_table(truth, 5).torque.table;
@@ -134,12 +163,9 @@ TEST(InertiaCheck, FindsTheGasExchangeWhereverTheCycleBegins) {
     shifted.torque.back() = shifted.torque.front();
     const InertiaCheck first = check_inertia(with_table(truth, table));
     const InertiaCheck second = check_inertia(with_table(truth, shifted));
-    EXPECT_EQ(second.stroke_begin_deg, 360.0);
     EXPECT_NEAR(*second.fitted, *first.fitted, 1e-9);
     EXPECT_NEAR(*first.fitted, first.entered, 0.01 * first.entered);
     EXPECT_NEAR(first.fitted_lambda, 0.046 / 0.15, 0.01);
-    // A steady depression of 0.05 bar on the piston.
-    EXPECT_NEAR(first.gas_exchange, -0.05e5 * pi / 4 * 0.0955 * 0.0955 * 0.046, 0.3);
 }
 
 TEST(InertiaCheck, AComputedTorqueIsNotComparedWithItself) {
@@ -176,7 +202,6 @@ TEST(InertiaCheck, ASteadyPressureOnThePistonDoesNotMoveTheFit) {
         ASSERT_TRUE(free.fitted);
         EXPECT_NEAR(*free.fitted, 20.0, 1e-4);
         EXPECT_NEAR(free.fitted_lambda, 0.3, 1e-5);
-        EXPECT_NEAR(free.gas_exchange, sign * gas, 1e-3);
         EXPECT_TRUE(free.lambda_fitted);
         input.cylinder.rod_length = 0.046 / 0.3;
         const InertiaCheck held =

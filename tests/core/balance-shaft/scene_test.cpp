@@ -35,7 +35,7 @@ TEST(BalanceShaftCase, FirstCasesFitAndGainByBothCriteria) {
 TEST(BalanceShaftCase, TheVerdictSaysChangesAsTheyAreRounded) {
     Result result = solve(read_input(example(), {}));
     result.doubts.clear();
-    result.inertia_check.consistent.reset();
+    result.inertia_check = {};
     result.is_buildable = true;
     result.buildable.stretches = {{0.0, 1.0}};
     result.best_range_buildable.value = 0.9 * result.M_up.range;
@@ -68,13 +68,6 @@ TEST(BalanceShaftCase, TheVerdictSaysChangesAsTheyAreRounded) {
                   "At every feasible α, the range is larger than without shaft."),
               std::string::npos);
     EXPECT_EQ(verdict(result).act, best_place_act);
-}
-
-/// The error of the example with a patch (RFC 7396: null takes a key away) on its input.
-std::string rejection(const std::string& patch) {
-    Json input = example();
-    input.merge_patch(parse_json(patch));
-    return error_of([&] { read_input(input, {}); });
 }
 
 TEST(BalanceShaftInput, ThePresetIsTheExample) {
@@ -140,7 +133,7 @@ TEST(BalanceShaftInput, WhatCannotBeIsRejected) {
         {R"({"speed_band": {"from_rpm": 1e-9, "to_rpm": 3600}})",
          "speed_band/from_rpm: must be at least 0.1, got 1e-09"}};
     for (const auto& [patch, error] : cases) {
-        EXPECT_EQ(rejection(patch), std::string("/input/") + error);
+        EXPECT_EQ(test::rejection(preset_tmz_650d(), patch), std::string("/input/") + error);
     }
 }
 
@@ -224,10 +217,6 @@ TEST_F(CsvBesideTheCase, ErrorsNameFileLineAndColumn) {
     EXPECT_EQ(rejection_with("0;0\n180;x\n720;0\n"),
               "/input/torque/csv: torque.csv: line 2, column 2: must be a finite number, got "
               "\"x\"");
-    EXPECT_EQ(rejection_with(std::string("\0\1\2\3", 4)),
-              "/input/torque/csv: torque.csv: line 1: must be text; this looks like a binary file");
-    EXPECT_EQ(rejection_with(""),
-              "/input/torque/csv: torque.csv: the torque table must have at least 3 rows, got 0");
     EXPECT_EQ(error_of([&] { read_input(input("absent.csv"), CaseContext{folder_}); }),
               "/input/torque/csv: absent.csv: cannot be read: No such file or directory");
     EXPECT_EQ(error_of([&] { read_input(input("."), CaseContext{folder_}); }),

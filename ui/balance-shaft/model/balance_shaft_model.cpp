@@ -154,8 +154,7 @@ QString BalanceShaftModel::tabulateTorque() {
 }
 
 bool BalanceShaftModel::canRebuildTorque() const {
-    const auto& consistent = result().inertia_check.consistent;
-    return !input().torque.is_computed() && consistent && !*consistent;
+    return !result().inertia_check.warning.empty();
 }
 
 QString BalanceShaftModel::rebuildTorque() {
