@@ -18,7 +18,8 @@ namespace ravnoves::balance_shaft::test {
 
 using ravnoves::test::error_of;
 
-/// What is said of an input that a patch of its case changes; "no error" where it is solved.
+/// What is said of an input that a patch of its case changes (RFC 7396: null takes a key away); "no
+/// error" where it is solved.
 inline std::string rejection(const Input& input, const std::string& patch) {
     Json json = write_input(input);
     json.merge_patch(parse_json(patch));
