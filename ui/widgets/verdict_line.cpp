@@ -109,7 +109,8 @@ VerdictLine::VerdictLine(QWidget* parent)
       word_(new QLabel(this)),
       text_(new QLabel(this)),
       act_(new QPushButton(this)) {
-    QHBoxLayout* row = rowIn(this, Theme::space, {Theme::space, Theme::gap, Theme::space, 0});
+    QHBoxLayout* line = rowIn(this, Theme::space, {Theme::space, Theme::gap, Theme::space, 0});
+    auto* row = new QHBoxLayout;
     QFont bold = word_->font();
     bold.setBold(true);
     word_->setFont(bold);
@@ -122,7 +123,8 @@ VerdictLine::VerdictLine(QWidget* parent)
     row->addWidget(word_);
     row->addWidget(new Apart(text_, this), 1);
     text_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
-    row->addWidget(act_);
+    line->addLayout(row, 1);
+    line->addWidget(act_, 0, Qt::AlignLeft);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(act_, &QPushButton::clicked, this, &VerdictLine::acted);
     connect(&Theme::instance(), &Theme::changed, this, &VerdictLine::dress);
@@ -140,6 +142,21 @@ void VerdictLine::show(const Verdict& verdict, const QString& act) {
     if (isOther) {
         dress();
     }
+    arrange();
+}
+
+void VerdictLine::arrange() {
+    constexpr int narrow = 300;
+    const int taken = sign_->sizeHint().width() + word_->sizeHint().width() +
+                      act_->sizeHint().width() + 5 * Theme::space;
+    const bool isBelow = act_->isVisibleTo(this) && width() - taken < Theme::withText(narrow);
+    static_cast<QBoxLayout*>(layout())->setDirection(isBelow ? QBoxLayout::TopToBottom
+                                                             : QBoxLayout::LeftToRight);
+}
+
+void VerdictLine::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 QString VerdictLine::text() const {

@@ -29,10 +29,13 @@ class VerdictLine : public QWidget {
 
   protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     /// In the present theme and font.
     void dress();
+    /// The button is beside the text, or below where the text would be a narrow column.
+    void arrange();
 
     Severity severity_ = Severity::good;
     QLabel* sign_;

@@ -15,7 +15,9 @@
 #include "page/scene_page.h"
 #include "shell/screenshot.h"
 #include "text/language.h"
+#include "theme/theme.h"
 #include "widgets/number_field.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 namespace {
@@ -90,6 +92,31 @@ TEST(MainWindowMenus, NoMenuHasAMnemonicTwice) {
             }
         }
     }
+    installLanguage(u"en"_s);
+}
+
+/// Beside the text it would leave a narrow column.
+TEST(MainWindowLooks, TheButtonOfAVerdictIsBelowItsTextWhereThereIsLittleRoom) {
+    installLanguage(u"ru"_s);
+    for (const double text : {1.0, 1.5}) {
+        Theme::instance().setTextScale(text);
+        MainWindow window;
+        test::showAt(window, {1024, 700});
+        auto* verdict = window.currentPage()->findChild<VerdictLine*>();
+        ASSERT_NE(verdict, nullptr);
+        verdict->show({Severity::warning, Text{"не помещается: вал задевает шатун при 65,7°"}},
+                      u"Поставить вал на 105 мм, 57°"_s);
+        QApplication::processEvents();
+        QApplication::processEvents();
+        const QRect button = test::named<QPushButton>(*verdict, "verdict_act")->geometry();
+        const auto* label = test::named<QLabel>(*verdict, "verdict");
+        const QRect words(label->mapTo(verdict, QPoint()), label->size());
+        EXPECT_GE(words.width(), verdict->width() / 3);
+        EXPECT_TRUE(verdict->rect().contains(button));
+        EXPECT_EQ(button.top() > words.bottom(), text > 1.0);
+        EXPECT_EQ(button.left() > words.right(), text == 1.0);
+    }
+    Theme::instance().setTextScale(1.0);
     installLanguage(u"en"_s);
 }
 
