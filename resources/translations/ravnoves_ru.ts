@@ -10943,21 +10943,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::CaseTabs</name>
-    <message>
-        <source>Open cases</source>
-        <translation>Открытые задачи</translation>
-    </message>
-    <message>
-        <source>Close (%1)</source>
-        <translation>Закрыть (%1)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Закрыть</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::CompensationPlot</name>
     <message>
         <source>Excess compensated</source>
@@ -11240,6 +11225,70 @@ but no position is feasible</source>
     <message>
         <source>Too many files; not opened: %1</source>
         <translation>Слишком много файлов; не открыто: %1</translation>
+    </message>
+    <message>
+        <source>Open cases</source>
+        <translation>Открытые задачи</translation>
+    </message>
+    <message>
+        <source>Close (%1)</source>
+        <translation>Закрыть (%1)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>&amp;Locate file…</source>
+        <translation>&amp;Указать файл…</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Где %1?</translation>
+    </message>
+    <message>
+        <source>The file selected for %1 is not suitable.</source>
+        <translation>Файл, выбранный вместо %1, не подходит.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>Сохранить изменения в «%1»?</translation>
+    </message>
+    <message>
+        <source>Do&amp;n’t save</source>
+        <translation>&amp;Не сохранять</translation>
+    </message>
+    <message>
+        <source>Save case</source>
+        <translation>Сохранить задачу</translation>
+    </message>
+    <message>
+        <source>Ravnoves case</source>
+        <translation>Задача Ravnoves</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program since it was opened or saved here. Overwrite it?</source>
+        <translation>Файл %1 изменён другой программой с тех пор, как был открыт или сохранён здесь. Записать поверх?</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Записать поверх</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>Закрыть задачу</translation>
+    </message>
+    <message>
+        <source>%1 is open in another tab. Close that tab first, or choose another name.</source>
+        <translation>Файл %1 открыт на другой вкладке. Сначала закройте её или выберите другое имя.</translation>
     </message>
 </context>
 <context>
@@ -14024,21 +14073,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::MissingFile</name>
-    <message>
-        <source>&amp;Locate file…</source>
-        <translation>&amp;Указать файл…</translation>
-    </message>
-    <message>
-        <source>Where is %1?</source>
-        <translation>Где %1?</translation>
-    </message>
-    <message>
-        <source>The file selected for %1 is not suitable.</source>
-        <translation>Файл, выбранный вместо %1, не подходит.</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::NewCases</name>
     <message>
         <source>How much can a balance shaft help?</source>
@@ -14935,49 +14969,6 @@ but no position is feasible</source>
     <message>
         <source>Below the value: difference from the reference.</source>
         <translation>Под значением: разность с эталоном.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::SavingDialogs</name>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Несохранённые изменения</translation>
-    </message>
-    <message>
-        <source>Save the changes of “%1”?</source>
-        <translation>Сохранить изменения в «%1»?</translation>
-    </message>
-    <message>
-        <source>Do&amp;n’t save</source>
-        <translation>&amp;Не сохранять</translation>
-    </message>
-    <message>
-        <source>Save case</source>
-        <translation>Сохранить задачу</translation>
-    </message>
-    <message>
-        <source>Ravnoves case</source>
-        <translation>Задача Ravnoves</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Сохранить как…</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program since it was opened or saved here. Overwrite it?</source>
-        <translation>Файл %1 изменён другой программой с тех пор, как был открыт или сохранён здесь. Записать поверх?</translation>
-    </message>
-    <message>
-        <source>&amp;Overwrite</source>
-        <translation>&amp;Записать поверх</translation>
-    </message>
-    <message>
-        <source>Close case</source>
-        <translation>Закрыть задачу</translation>
-    </message>
-    <message>
-        <source>%1 is open in another tab. Close that tab first, or choose another name.</source>
-        <translation>Файл %1 открыт на другой вкладке. Сначала закройте её или выберите другое имя.</translation>
     </message>
 </context>
 <context>

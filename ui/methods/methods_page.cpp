@@ -212,15 +212,12 @@ QWidget* MethodsPage::buildCase() {
 }
 
 std::optional<OpenCase> MethodsPage::caseLastInFront() const {
-    std::optional<OpenCase> last;
-    for (const SceneSolver& scene : scene_solvers()) {
-        const QString name = QString::fromUtf8(scene.name.data(), qsizetype(scene.name.size()));
-        std::optional<OpenCase> open = openCases_ ? openCases_(name) : std::nullopt;
-        if (open && (!last || open->shown > last->shown)) {
-            last = std::move(open);
+    for (ScenePage* other : others()) {
+        if (const SceneModel& model = *other->model(); model.hasCaseFile()) {
+            return OpenCase{model.caseFile(), model.context()};
         }
     }
-    return last;
+    return std::nullopt;
 }
 
 void MethodsPage::showBudget() {

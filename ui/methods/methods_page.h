@@ -12,6 +12,7 @@ class QVBoxLayout;
 namespace ravnoves {
 
 class CaseBudgetModel;
+struct OpenCase;
 class MethodPlots;
 class ResultTable;
 class ValidationView;
@@ -32,7 +33,6 @@ class MethodsPage : public ScenePage {
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
-    void setOpenCases(const OpenCases& cases) override { openCases_ = cases; }
 
     // For tests and for the frame benchmark.
     ResultTable* table() const { return table_; }
@@ -66,7 +66,6 @@ class MethodsPage : public ScenePage {
     QVBoxLayout* valuePlace_ = nullptr;
     QLabel* words_ = nullptr;
     QTabWidget* tabs_ = nullptr;
-    OpenCases openCases_;
     CaseBudgetModel* budget_ = nullptr;
     QWidget* case_ = nullptr;
     ResultTable* budgetTable_ = nullptr;

@@ -12,7 +12,6 @@
 #include "case-file/text_file.h"
 #include "case-file/text_size.h"
 #include "model/enough_memory.h"
-#include "model/open_case.h"
 #include "model/recovery.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
@@ -82,10 +81,9 @@ bool holdsCase(const QString& path) {
 
 }  // namespace
 
-CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* parent)
+CaseDocument::CaseDocument(SceneModel* model, QObject* parent)
     : QObject(parent),
       model_(model),
-      dialogs_(std::move(dialogs)),
       loaded_(std::make_unique<CaseFile>()),
       sourcesLater_(new QTimer(this)) {
     documents() << this;
@@ -111,6 +109,7 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
         isLastCopy_ = state == FileOnDisk::State::Missing ||
                       (state == FileOnDisk::State::Changed && !holdsCase(path_));
         updateNeed();
+        Q_EMIT filesChanged();
     });
 }
 
@@ -140,8 +139,9 @@ QString CaseDocument::name() const {
     return job.isEmpty() ? model_->titleShown() : plainTitle(job);
 }
 
-OpenCase CaseDocument::asOpenCase() const {
-    return {model_->caseFile(), model_->context()};
+QString CaseDocument::proposedPath() const {
+    const QString job = asFileName(model_->jobName());
+    return path_.isEmpty() ? (job.isEmpty() ? model_->sceneName() : job) + ending : path_;
 }
 
 std::string CaseDocument::asText(const QString& path) const {
@@ -247,6 +247,19 @@ void CaseDocument::restore(const CaseFile& file, const RecoveredCase& from) {
 }
 
 QString CaseDocument::reload() {
+    if (const FileOnDisk* file = changedFile(); file != nullptr && !isOwn(file)) {
+        for (const auto& each : sources_) {
+            each->check();
+        }
+        try {
+            model_->loadInput(model_->inputJson(), model_->context());
+        } catch (const InputError& error) {
+            return errorText(error);
+        }
+        keepSources();
+        Q_EMIT model_->broughtIn();
+        return {};
+    }
     QByteArray known;
     try {
         load(read(path_, &known), {fsPath(QFileInfo(path_).absolutePath())});
@@ -258,9 +271,20 @@ QString CaseDocument::reload() {
 }
 
 void CaseDocument::keepMine() {
-    disk_.accept();
-    model_->history()->resetClean();
-    Q_EMIT nameChanged();
+    if (isOwn(changedFile())) {
+        disk_.accept();
+        model_->history()->resetClean();
+        Q_EMIT nameChanged();
+    } else {
+        keepSources();
+    }
+}
+
+void CaseDocument::keepSources() {
+    for (const auto& each : sources_) {
+        each->accept();
+    }
+    Q_EMIT filesChanged();
 }
 
 void CaseDocument::watchSources() {
@@ -283,15 +307,18 @@ void CaseDocument::watchSources() {
             sources_.push_back(std::make_unique<FileOnDisk>());
             sources_.back()->setPath(path);
             connect(sources_.back().get(), &FileOnDisk::stateChanged, this,
-                    &CaseDocument::sourcesChanged);
+                    &CaseDocument::filesChanged);
         }
     }
     if (isFewer) {
-        Q_EMIT sourcesChanged();
+        Q_EMIT filesChanged();
     }
 }
 
-const FileOnDisk* CaseDocument::changedSource() const {
+const FileOnDisk* CaseDocument::changedFile() const {
+    if (disk_.state() != FileOnDisk::State::Same) {
+        return &disk_;
+    }
     for (const auto& each : sources_) {
         if (each->state() != FileOnDisk::State::Same) {
             return each.get();
@@ -300,29 +327,11 @@ const FileOnDisk* CaseDocument::changedSource() const {
     return nullptr;
 }
 
-void CaseDocument::checkSources() {
+void CaseDocument::checkFiles() {
+    disk_.check();
     for (const auto& each : sources_) {
         each->check();
     }
-}
-
-QString CaseDocument::readSources() {
-    checkSources();
-    try {
-        model_->loadInput(model_->inputJson(), model_->context());
-    } catch (const InputError& error) {
-        return errorText(error);
-    }
-    keepSources();
-    Q_EMIT model_->broughtIn();
-    return {};
-}
-
-void CaseDocument::keepSources() {
-    for (const auto& each : sources_) {
-        each->accept();
-    }
-    Q_EMIT sourcesChanged();
 }
 
 QString CaseDocument::saveTo(const QString& path) {
@@ -343,64 +352,6 @@ QString CaseDocument::saveTo(const QString& path) {
     }
     setPath(path, FileOnDisk::digestOf(text));
     return {};
-}
-
-bool CaseDocument::save() {
-    const auto inPlace =
-        path_.isEmpty() && dialogs_.saveInPlace ? dialogs_.saveInPlace() : std::nullopt;
-    if (inPlace) {
-        return *inPlace;
-    }
-    if (!mayGo(false)) {
-        return false;
-    }
-    if (path_.isEmpty()) {
-        return chooseAndSave();
-    }
-    if (disk_.check() == FileOnDisk::State::Changed && dialogs_.instead) {
-        const DocumentDialogs::Instead answer = dialogs_.instead(path_, {});
-        if (answer != DocumentDialogs::Instead::Overwrite) {
-            return answer == DocumentDialogs::Instead::Elsewhere && chooseAndSave();
-        }
-    }
-    return saveAt(path_);
-}
-
-bool CaseDocument::saveAs() {
-    return mayGo(false) && chooseAndSave();
-}
-
-bool CaseDocument::chooseAndSave() {
-    const QString job = asFileName(model_->jobName());
-    QString path = dialogs_.choosePath(
-        path_.isEmpty() ? (job.isEmpty() ? model_->sceneName() : job) + ending : path_);
-    if (path.isEmpty()) {
-        return false;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += ending;
-    }
-    return saveAt(path);
-}
-
-bool CaseDocument::saveAt(const QString& path) {
-    const QString trouble = saveTo(path);
-    if (!trouble.isEmpty()) {
-        return dialogs_.instead(path, trouble) == DocumentDialogs::Instead::Elsewhere &&
-               chooseAndSave();
-    }
-    Q_EMIT saved(path_);
-    return true;
-}
-
-bool CaseDocument::canClose() {
-    disk_.check();
-    if (!needsSaving()) {
-        return mayGo(true);
-    }
-    const DocumentDialogs::Answer answer = dialogs_.saveChanges(!path_.isEmpty());
-    return answer == DocumentDialogs::Answer::Save ? save()
-                                                   : answer == DocumentDialogs::Answer::Discard;
 }
 
 }  // namespace ravnoves

@@ -26,10 +26,6 @@ namespace ravnoves {
 struct CaseFile;
 class InputError;
 class ReferenceCase;
-struct OpenCase;
-
-/// Looks up the open case of a scene by its word; nothing where its page was never shown.
-using OpenCases = std::function<std::optional<OpenCase>(const QString& scene)>;
 
 /// An input that is swept over its range, and the result over it.
 struct SweepChoice {

@@ -43,12 +43,9 @@ class ScenePage : public QWidget {
     /// The effect of saveInPlace(), for a tip; empty where the window prompts for a file.
     virtual QString savingTip() const { return {}; }
 
-    /// How to look up the open cases of the other pages. Called once, after the page was made.
-    virtual void setOpenCases(const OpenCases& /*cases*/) {}
-
-    /// Brings the other open page to the front that is as wanted. @return false where none is
-    using ShowOther = std::function<bool(const std::function<bool(ScenePage*)>& isWanted)>;
-    void setShowOther(const ShowOther& show) { showOther_ = show; }
+    /// How to find the other open pages, the one in front last first. Called once, after the page
+    /// was made.
+    void setOthers(std::function<QList<ScenePage*>()> others) { others_ = std::move(others); }
 
     /// Lets the model go: the page is made again over it, in another language or with other units.
     SceneModel* letGo();
@@ -64,6 +61,8 @@ class ScenePage : public QWidget {
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
+    /// Another page wants this one in front.
+    void frontWanted();
 
   protected:
     /// The model that a page before this one has left, else a new one.
@@ -77,10 +76,7 @@ class ScenePage : public QWidget {
         return static_cast<Model*>(kept);
     }
 
-    /// As ShowOther.
-    bool showOther(const std::function<bool(ScenePage*)>& isWanted) const {
-        return showOther_ && showOther_(isWanted);
-    }
+    QList<ScenePage*> others() const { return others_ ? others_() : QList<ScenePage*>(); }
 
     bool event(QEvent* event) override;
 
@@ -88,7 +84,7 @@ class ScenePage : public QWidget {
     /// Axes are fixed during a drag, and follow the content afterwards.
     void followDrags(SceneModel* model);
 
-    ShowOther showOther_;
+    std::function<QList<ScenePage*>()> others_;
     std::vector<std::function<bool()>> busy_;
 };
 

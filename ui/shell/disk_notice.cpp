@@ -20,12 +20,9 @@ DiskNotice::DiskNotice(QWidget* parent) : Panel(parent), text_(new QLabel(this))
     reload_ = addButton("disk_reload", tr("Reload"),
                         tr("Show the present contents of the file. Undo restores this page."),
                         [this] { reload(); });
-    keep_ = addButton("disk_keep", tr("Keep mine"), {}, [this] {
-        document_->disk().state() != FileOnDisk::State::Same ? document_->keepMine()
-                                                             : document_->keepSources();
-    });
+    keep_ = addButton("disk_keep", tr("Keep mine"), {}, [this] { document_->keepMine(); });
     saveAs_ = addButton("disk_save_as", tr("Save as…"), tr("Save this page in another file."),
-                        [this] { document_->saveAs(); });
+                        [this] { Q_EMIT saveAsWanted(); });
     hide();
 }
 
@@ -42,25 +39,24 @@ QPushButton* DiskNotice::addButton(const char* name, const QString& text, const 
 void DiskNotice::showFor(CaseDocument* document, QWidget* page) {
     document_ = document;
     const bool hadFocus = isAncestorOf(QApplication::focusWidget());
-    const FileOnDisk& own = document->disk();
-    const FileOnDisk* source =
-        own.state() == FileOnDisk::State::Same ? document->changedSource() : nullptr;
-    const FileOnDisk& file = source != nullptr ? *source : own;
-    setVisible(file.state() != FileOnDisk::State::Same);
-    const bool isMissing = file.state() == FileOnDisk::State::Missing;
-    reload_->setVisible(!isMissing);
-    saveAs_->setVisible(source == nullptr);
-    keep_->setToolTip(source == nullptr ? tr("Continue with this page. Saving replaces the file.")
-                                        : tr("Continue with the numbers read before. The next "
-                                             "time, the case opens with the numbers of the file."));
-    const QString words =
-        source == nullptr
-            ? (isMissing ? tr("%1 was deleted, moved or renamed.")
-                         : tr("%1 was changed by another program."))
-            : (isMissing ? tr("%1, a file of this case, was deleted, moved or renamed.")
-                         : tr("%1, a file of this case, was changed by another program."));
-    text_->setText(words.arg(QFileInfo(file.path()).fileName()));
-    text_->setToolTip(file.path());
+    const FileOnDisk* file = document->changedFile();
+    setVisible(file != nullptr);
+    if (file != nullptr) {
+        const bool isOwn = document->isOwn(file);
+        const bool isMissing = file->state() == FileOnDisk::State::Missing;
+        reload_->setVisible(!isMissing);
+        saveAs_->setVisible(isOwn);
+        keep_->setToolTip(isOwn ? tr("Continue with this page. Saving replaces the file.")
+                                : tr("Continue with the numbers read before. The next time, the "
+                                     "case opens with the numbers of the file."));
+        const QString words =
+            isOwn ? (isMissing ? tr("%1 was deleted, moved or renamed.")
+                               : tr("%1 was changed by another program."))
+                  : (isMissing ? tr("%1, a file of this case, was deleted, moved or renamed.")
+                               : tr("%1, a file of this case, was changed by another program."));
+        text_->setText(words.arg(QFileInfo(file->path()).fileName()));
+        text_->setToolTip(file->path());
+    }
     if (hadFocus && isHidden()) {
         // Else it goes where it happens to.
         QWidget* last = page->focusWidget();
@@ -69,9 +65,7 @@ void DiskNotice::showFor(CaseDocument* document, QWidget* page) {
 }
 
 void DiskNotice::reload() {
-    const QString trouble = document_->disk().state() != FileOnDisk::State::Same
-                                ? document_->reload()
-                                : document_->readSources();
+    const QString trouble = document_->reload();
     if (!trouble.isEmpty()) {
         QMessageBox::warning(window(), tr("Open case"), trouble);
     }

@@ -22,6 +22,9 @@ class DiskNotice : public Panel {
     /// @param page  has the focus again where the notice had it and hides
     void showFor(CaseDocument* document, QWidget* page);
 
+  Q_SIGNALS:
+    void saveAsWanted();
+
   private:
     QPushButton* addButton(const char* name, const QString& text, const QString& tip,
                            const std::function<void()>& pressed);

@@ -2,27 +2,23 @@
 
 #include <QEvent>
 #include <QFileInfo>
-#include <QMessageBox>
+#include <QGuiApplication>
+#include <QKeySequence>
 #include <QSignalBlocker>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "case-file/case_file.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/open_case.h"
 #include "model/recovery.h"
 #include "page/scene_page.h"
 #include "scenes/case_sources.h"
-#include "shell/case_tabs.h"
 #include "shell/disk_notice.h"
-#include "shell/missing_file.h"
-#include "shell/saving_dialogs.h"
-#include "text/error_text.h"
 #include "text/file_path.h"
-#include "text/message_text.h"
 #include "text/plain_title.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
 
 namespace ravnoves {
 
@@ -30,18 +26,11 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    tabs_ = new CaseTabs(this);
+    makeTabs();
     column->addWidget(tabs_);
     makeNotices();
     stack_ = new QStackedWidget(this);
     column->addWidget(stack_, 1);
-    connect(tabs_, &QTabBar::currentChanged, this, &Documents::showTab);
-    connect(tabs_, &QTabBar::tabMoved, this, &Documents::changed);
-    connect(tabs_, &CaseTabs::closeAsked, this, [this](int id) {
-        if (OpenDocument* document = withId(id)) {
-            close(*document);
-        }
-    });
 }
 
 Documents::~Documents() {
@@ -66,13 +55,9 @@ namespace {
 /// The document that was in front last, of those that fit; null without one.
 template <typename Fits>
 OpenDocument* lastWhere(const std::vector<std::unique_ptr<OpenDocument>>& documents, Fits fits) {
-    OpenDocument* last = nullptr;
-    for (const auto& each : documents) {
-        if (fits(*each) && (last == nullptr || each->shown > last->shown)) {
-            last = each.get();
-        }
-    }
-    return last;
+    const auto last = std::find_if(documents.rbegin(), documents.rend(),
+                                   [&](const auto& each) { return fits(*each); });
+    return last != documents.rend() ? last->get() : nullptr;
 }
 
 /// By whatever name, and also where nothing is there.
@@ -92,8 +77,21 @@ OpenDocument* Documents::withFile(const QString& path) const {
                      [&](const OpenDocument& each) { return isSame(each.document->path(), path); });
 }
 
-OpenDocument* Documents::withId(int id) const {
-    return lastWhere(documents_, [id](const OpenDocument& each) { return each.id == id; });
+OpenDocument* Documents::of(const QObject* document) const {
+    return lastWhere(documents_,
+                     [&](const OpenDocument& each) { return each.document == document; });
+}
+
+OpenDocument* Documents::at(int tab) const {
+    return of(tabs_->tabData(tab).value<QObject*>());
+}
+
+int Documents::tabOf(const OpenDocument& document) const {
+    int tab = tabs_->count() - 1;
+    while (tab >= 0 && at(tab) != &document) {
+        --tab;
+    }
+    return tab;
 }
 
 bool Documents::isUntouched(const OpenDocument& document) {
@@ -114,11 +112,10 @@ OpenDocument* Documents::untouchedOf(std::size_t scene) const {
 OpenDocument& Documents::add(std::size_t scene) {
     documents_.push_back(std::make_unique<OpenDocument>());
     OpenDocument& added = *documents_.back();
-    added.id = ++ids_;
     added.scene = scene;
     putPage(added, scenes_[scene].make(stack_));
     SceneModel* model = added.page->model();
-    added.document = new CaseDocument(model, savingDialogs(*this, added), this);
+    added.document = new CaseDocument(model, this);
     added.beginning = model->inputJson().dump();
     connect(model, &SceneModel::historyChanged, this, [this, &added] {
         if (&added == current_) {
@@ -137,34 +134,23 @@ OpenDocument& Documents::add(std::size_t scene) {
         }
         Q_EMIT changed();
     });
-    connect(added.document, &CaseDocument::saved, this, &Documents::saved);
-    connect(&added.document->disk(), &FileOnDisk::stateChanged, this, &Documents::showNotices);
-    connect(added.document, &CaseDocument::sourcesChanged, this, &Documents::showNotices);
+    connect(added.document, &CaseDocument::filesChanged, this, &Documents::showNotices);
     keep(added);
     return added;
 }
 
 void Documents::putPage(OpenDocument& document, ScenePage* page) {
     document.page = page;
-    page->setOpenCases([this](const QString& other) -> std::optional<OpenCase> {
-        const auto index = indexOf(other);
-        const OpenDocument* last = index ? lastOf(*index) : nullptr;
-        if (last == nullptr) {
-            return std::nullopt;
-        }
-        OpenCase open = last->document->asOpenCase();
-        open.shown = last->shown;
-        return open;
-    });
-    page->setShowOther([this, page](const std::function<bool(ScenePage*)>& isWanted) {
+    page->setOthers([this, page] {
+        QList<ScenePage*> others;
         for (const auto& each : documents_) {
-            if (each->page != page && isWanted(each->page)) {
-                bringToFront(*each);
-                return true;
+            if (each->page != page) {
+                others.prepend(each->page);
             }
         }
-        return false;
+        return others;
     });
+    connect(page, &ScenePage::frontWanted, this, [this, &document] { bringToFront(document); });
     connect(page, &ScenePage::status, this, [this, &document](const QString& text) {
         if (&document == current_) {
             Q_EMIT status(text);
@@ -175,6 +161,7 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
 
 void Documents::makeNotices() {
     notices_ = new DiskNotice(this);
+    connect(notices_, &DiskNotice::saveAsWanted, this, [this] { saveAs(*current_); });
     static_cast<QVBoxLayout*>(layout())->insertWidget(1, notices_);  // below the tabs
 }
 
@@ -189,7 +176,7 @@ void Documents::renewPages() {
         putPage(*each, scenes_[each->scene].make(stack_, model));
         each->page->showTabs(tabs);
     }
-    tabs_->renew();
+    dressTabs();
     delete notices_;
     makeNotices();
     if (current_ == nullptr) {
@@ -247,7 +234,9 @@ void Documents::bringToFront(OpenDocument& document) {
         current_->page->setActive(false);
     }
     current_ = &document;
-    document.shown = ++shows_;
+    const auto place = std::find_if(documents_.begin(), documents_.end(),
+                                    [&](const auto& each) { return each.get() == &document; });
+    std::rotate(place, place + 1, documents_.end());
     stack_->setCurrentWidget(document.page);
     // While no page is seen Qt leaves the focus with the one before, and gives it back there.
     if (QWidget* last = focusWidget();
@@ -255,8 +244,7 @@ void Documents::bringToFront(OpenDocument& document) {
         last->clearFocus();
     }
     arrangeTabs();
-    document.document->disk().check();
-    document.document->checkSources();
+    document.document->checkFiles();
     showNotices();
     document.page->setActive(true);
     Q_EMIT currentChanged();
@@ -269,86 +257,13 @@ void Documents::step(int by) {
 }
 
 void Documents::showTab(int tab) {
-    if (OpenDocument* document = withId(tabs_->idOf(tab))) {
+    if (OpenDocument* document = at(tab)) {
         bringToFront(*document);
     }
 }
 
 bool Documents::hasSeveralTabs() const {
-    return tabs_->hasSeveral();
-}
-
-void Documents::put(const CaseFile& file, OpenDocument* there,
-                    const std::function<void(CaseDocument&)>& load) {
-    const auto scene = indexOf(QString::fromStdString(file.scene));
-    if (!scene) {
-        throw InputError(
-            "/scene", Text::tr("must be a module of the window; the command line solves this case"),
-            file.scene);
-    }
-    OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene);
-    OpenDocument& target = reused != nullptr ? *reused : add(*scene);
-    try {
-        load(*target.document);
-    } catch (const InputError&) {
-        if (reused == nullptr) {
-            remove(target);
-        }
-        throw;
-    }
-    if (reused != nullptr) {
-        target.page->resetZoom();
-    }
-    bringToFront(target);
-}
-
-QString Documents::open(const QString& path, bool locates) {
-    if (OpenDocument* there = withFile(path)) {
-        bringToFront(*there);
-        return {};
-    }
-    try {
-        QByteArray known;
-        CaseFile file = CaseDocument::read(path, &known);
-        const Json input = file.input;
-        const auto load = [&] {
-            put(file, nullptr, [&](CaseDocument& document) {
-                document.open(file, path, known);
-                // Where a file is now, and what an older version has become, is to be saved.
-                if (file.input != input || !file.changes.empty()) {
-                    document.model()->history()->resetClean();
-                }
-            });
-            QStringList changes;
-            for (const Message& change : file.changes) {
-                changes << messageText(change);
-            }
-            Q_EMIT status(changes.join(QLatin1Char(' ')));
-        };
-        if (locates) {
-            MissingFile::locate(this, tr("Open case"), path, QFileInfo(path).absolutePath(), file,
-                                load);
-        } else {
-            load();
-        }
-        return {};
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
-}
-
-QString Documents::begin(const CaseFile& file, bool isFirst) {
-    try {
-        put(file, nullptr, [&](CaseDocument& document) { document.begin(file); });
-        if (isFirst) {
-            current_->beginning = current_->page->model()->inputJson().dump();
-            current_->hasTab = false;
-            arrangeTabs();
-        }
-        return {};
-    } catch (const InputError& error) {
-        return errorText(error);
-    }
+    return tabs_->count() > 1;
 }
 
 // ----------------------------------------------------------------------- crashes and others
@@ -366,31 +281,6 @@ void Documents::keep(OpenDocument& document) {
     }
 }
 
-bool Documents::restore(const RecoveredCase& recovered) {
-    OpenDocument* there = recovered.path.isEmpty() ? nullptr : withFile(recovered.path);
-    if (there != nullptr && (there->document->needsSaving() ||
-                             scenes_[there->scene].name.toStdString() != recovered.content.scene)) {
-        there = nullptr;
-    }
-    CaseFile file = recovered.content;
-    const QString title = tr("Unsaved cases");
-    const bool hasPath = !recovered.path.isEmpty();
-    const QString name = hasPath ? recovered.path : recovered.file;
-    const QString folder = hasPath ? QFileInfo(name).absolutePath() : QString();
-    try {
-        if (!MissingFile::locate(this, title, name, folder, file, [&] {
-                put(file, there,
-                    [&](CaseDocument& document) { document.restore(file, recovered); });
-            })) {
-            return false;
-        }
-    } catch (const InputError& error) {
-        QMessageBox::warning(window(), title, name + QStringLiteral(": ") + errorText(error));
-        return false;
-    }
-    return recovery_ == nullptr || recovery_->keep(current_->document);  // or the other copy stays
-}
-
 void Documents::showNotices() {
     if (current_ != nullptr) {
         notices_->showFor(current_->document, current_->page);
@@ -400,17 +290,14 @@ void Documents::showNotices() {
 bool Documents::event(QEvent* event) {
     if (event->type() == QEvent::WindowActivate) {
         for (const auto& each : documents_) {
-            each->document->disk().check();
-            each->document->checkSources();
+            each->document->checkFiles();
         }
     }
     return QWidget::event(event);
 }
 
-// --------------------------------------------------------------------------------- closing
-
 bool Documents::close(OpenDocument& document) {
-    if (!document.document->canClose()) {
+    if (!mayClose(document)) {
         return false;
     }
     if (&document == current_) {
@@ -433,13 +320,39 @@ bool Documents::close(OpenDocument& document) {
     return true;
 }
 
-/// Where one stays, the case that was asked about is in front.
-bool Documents::canClose() {
-    return std::all_of(documents_.begin(), documents_.end(),
-                       [](const auto& each) { return each->document->canClose(); });
+// ------------------------------------------------------------------------------------- tabs
+
+void Documents::makeTabs() {
+    tabs_ = new QTabBar(this);
+    tabs_->setObjectName(QStringLiteral("documents"));
+    tabs_->setDocumentMode(true);
+    tabs_->setExpanding(false);
+    tabs_->setMovable(true);
+    tabs_->setTabsClosable(true);
+    tabs_->setElideMode(Qt::ElideNone);  // it scrolls
+    tabs_->hide();
+    dressTabs();
+    connect(tabs_, &QTabBar::currentChanged, this, &Documents::showTab);
+    connect(tabs_, &QTabBar::tabMoved, this, &Documents::changed);
+    const auto closeTab = [this](int tab) {
+        if (OpenDocument* document = at(tab)) {
+            close(*document);
+        }
+    };
+    connect(tabs_, &QTabBar::tabCloseRequested, this, closeTab);
+    connect(tabs_, &QTabBar::tabBarClicked, this, [closeTab](int tab) {
+        if (QGuiApplication::mouseButtons() == Qt::MiddleButton) {
+            closeTab(tab);
+        }
+    });
 }
 
-// ------------------------------------------------------------------------------------- tabs
+/// In the present language and size of the text.
+void Documents::dressTabs() {
+    tabs_->setAccessibleName(tr("Open cases"));
+    tabs_->setFont(Theme::font(Theme::smallSize));
+    tabs_->setIconSize(QSize(Theme::withText(16), Theme::withText(16)));
+}
 
 QString Documents::nameOf(const OpenDocument& document) const {
     const QString name = document.document->name();
@@ -462,9 +375,10 @@ QString bareName(const QString& path) {
 }  // namespace
 
 void Documents::nameTabs() {
+    constexpr int widest = 250;
     QStringList titles;
     for (int tab = 0; tab < tabs_->count(); ++tab) {
-        const OpenDocument* document = withId(tabs_->idOf(tab));
+        const OpenDocument* document = at(tab);
         if (document == nullptr) {
             continue;
         }
@@ -476,9 +390,18 @@ void Documents::nameTabs() {
             title = name + QStringLiteral(" (%1)").arg(number);
         }
         titles << title;
-        tabs_->name(tab, title, document->document->needsSaving(),
-                    scenes_[document->scene].title +
-                        (path.isEmpty() ? QString() : QLatin1Char('\n') + plainTitle(path)));
+        title = tabs_->fontMetrics().elidedText(title, Qt::ElideMiddle, Theme::withText(widest));
+        tabs_->setTabText(
+            tab, title.replace(QLatin1Char('&'), QStringLiteral("&&")) +
+                     (document->document->needsSaving() ? QStringLiteral(" *") : QString()));
+        tabs_->setTabToolTip(
+            tab, scenes_[document->scene].title +
+                     (path.isEmpty() ? QString() : QLatin1Char('\n') + plainTitle(path)));
+        QWidget* close = tabs_->tabButton(tab, QTabBar::RightSide);
+        close->setToolTip(
+            tr("Close (%1)")
+                .arg(QKeySequence(Qt::CTRL | Qt::Key_W).toString(QKeySequence::NativeText)));
+        close->setAccessibleName(tr("Close"));
     }
 }
 
@@ -492,25 +415,27 @@ void Documents::arrangeTabs() {
     {
         const QSignalBlocker quiet(tabs_);
         for (int tab = tabs_->count(); tab-- > 0;) {
-            if (!hasTab(withId(tabs_->idOf(tab)))) {
-                tabs_->removeCase(tab);
+            if (!hasTab(at(tab))) {
+                tabs_->removeTab(tab);
             }
         }
         for (const auto& each : documents_) {
-            const int tab =
-                hasTab(each.get())
-                    ? tabs_->tabOf(each->id, QStringLiteral("scene-") + scenes_[each->scene].name)
-                    : -1;
+            int tab = tabOf(*each);
+            if (tab < 0 && hasTab(each.get())) {
+                tab = tabs_->addTab(
+                    themedIcon(QStringLiteral("scene-") + scenes_[each->scene].name), {});
+                tabs_->setTabData(tab, QVariant::fromValue<QObject*>(each->document));
+            }
             if (each.get() == current_) {
                 tabs_->setCurrentIndex(tab);
             }
         }
     }
     nameTabs();
-    tabs_->setVisible(tabs_->hasSeveral());
+    tabs_->setVisible(hasSeveralTabs());
     // Who has stood in the bar beside others does not vanish from it.
     if (current_ != nullptr) {
-        current_->hasTab = current_->hasTab || tabs_->hasSeveral();
+        current_->hasTab = current_->hasTab || hasSeveralTabs();
     }
 }
 

@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "case-file/case_context.h"
 #include "model/case_document.h"
 #include "shell/scene_list.h"
 
 class QStackedWidget;
+class QTabBar;
 
 namespace ravnoves {
 
-class CaseTabs;
 class DiskNotice;
 class Recovery;
 class ScenePage;
@@ -21,17 +20,16 @@ struct RecoveredCase;
 
 /// A case that is open, or a page without cases.
 struct OpenDocument {
-    int id = 0;
     std::size_t scene = 0;  ///< its place in the list of scenes
     ScenePage* page = nullptr;
     CaseDocument* document = nullptr;
     std::string beginning;  ///< the input that the page was made with, as text
     bool hasTab = false;
-    int shown = 0;  ///< the larger, the later it was in front; 0: never
 };
 
-/// The open documents as tabs (CaseTabs) over the page of the one in front, its notices between
-/// them (DiskNotice). Each has a page, a history and a file of its own.
+/// The open documents as tabs over the page of the one in front, its notices between them
+/// (DiskNotice). Each has a page, a history and a file of its own. The program decides which have a
+/// tab, the user in which order.
 ///
 /// The first document of a scene is made when the scene is shown; while it is untouched and has no
 /// file, a case that is opened may take its place, and it gets a tab only in front. With one tab
@@ -51,7 +49,10 @@ class Documents : public QWidget {
     const SceneInfo& currentScene() const {
         return scenes_[current_ != nullptr ? current_->scene : 0];
     }
+    /// The one in front last is the last.
     const std::vector<std::unique_ptr<OpenDocument>>& all() const { return documents_; }
+    /// By its CaseDocument, which may be gone; null: it is closed.
+    OpenDocument* of(const QObject* document) const;
     /// The one that a file is open in, by whatever name; null: none.
     OpenDocument* withFile(const QString& path) const;
     /// Its case's name, or else its scene's title.
@@ -73,6 +74,11 @@ class Documents : public QWidget {
     /// Returns as open().
     /// @param isFirst  of the page: while it is untouched, another replaces it
     QString begin(const CaseFile& file, bool isFirst = false);
+
+    /// Saves a case in its file, else in a place of its page's own, else where the user says.
+    /// @return false where the user wants to stay, or it could not be written
+    bool save(OpenDocument& document);
+    bool saveAs(OpenDocument& document);
 
     /// Closes the document, or the one in front: the previous one comes to the front, and without
     /// one lastClosed() follows. Asks about unsaved changes.
@@ -116,18 +122,38 @@ class Documents : public QWidget {
   private:
     std::optional<std::size_t> indexOf(const QString& scene) const;
     OpenDocument* lastOf(std::size_t scene) const;
-    OpenDocument* withId(int id) const;
+    OpenDocument* at(int tab) const;
+    int tabOf(const OpenDocument& document) const;
     OpenDocument& firstOf(std::size_t scene);
     OpenDocument& add(std::size_t scene);
     void putPage(OpenDocument& document, ScenePage* page);
     void remove(OpenDocument& document);
     static bool isUntouched(const OpenDocument& document);
     OpenDocument* untouchedOf(std::size_t scene) const;
+    void makeTabs();
+    void dressTabs();
     void showTab(int tab);
     /// Brings a case into a document of its own, or into one that is there; one that is rejected
     /// leaves none behind.
     void put(const CaseFile& file, OpenDocument* there,
              const std::function<void(CaseDocument&)>& load);
+    /// Loads a case; where a file that it names cannot be read, prompts for its present place,
+    /// enters that into the case, and tries again.
+    /// @param title  of the questions: the action
+    /// @param name   of the case, for the fault
+    /// @param folder of the case
+    /// @return false after Cancel
+    /// @throws InputError of another fault
+    bool locate(const QString& title, const QString& name, const QString& folder, CaseFile& file,
+                const std::function<void()>& load);
+    bool chooseAndSave(OpenDocument& document);
+    bool saveAt(OpenDocument& document, const QString& path);
+    /// It could not be saved in its place, as the user is told: saves it elsewhere or stays.
+    /// @param overwrites  it may be saved there all the same
+    bool saveInstead(OpenDocument& document, const QString& path, const QString& trouble,
+                     bool overwrites);
+    /// Before it closes: asks about unsaved changes.
+    bool mayClose(OpenDocument& document);
     void keep(OpenDocument& document);
     void makeNotices();
     void showNotices();
@@ -136,10 +162,8 @@ class Documents : public QWidget {
 
     std::vector<SceneInfo> scenes_;
     std::vector<std::unique_ptr<OpenDocument>> documents_;
-    OpenDocument* current_ = nullptr;
-    int ids_ = 0;
-    int shows_ = 0;
-    CaseTabs* tabs_ = nullptr;
+    OpenDocument* current_ = nullptr;  ///< the last of them
+    QTabBar* tabs_ = nullptr;
     DiskNotice* notices_ = nullptr;
     QStackedWidget* stack_ = nullptr;
     Recovery* recovery_ = nullptr;

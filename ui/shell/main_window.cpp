@@ -148,7 +148,7 @@ void MainWindow::showTolerances() {
     connect(window, &ToleranceWindow::saveWanted, this, [this, page = currentPage()] {
         for (const auto& each : documents_->all()) {
             if (each->page == page) {
-                each->document->save();
+                documents_->save(*each);
             }
         }
     });

@@ -88,8 +88,8 @@ class MainWindow : public QMainWindow {
     void fillRecentFiles();
     /// The other open cases whose engine can be taken.
     void fillEngines();
-    /// Of the open case with this number, as one step.
-    void takeEngine(int id);
+    /// Of an open case, by its CaseDocument, as one step.
+    void takeEngine(const QObject* document);
     void updateTitle();
     void updateSceneActions();
     /// In the status bar, while it has no other message.

@@ -3,7 +3,6 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
-#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
@@ -185,10 +184,10 @@ void MainWindow::buildMenus() {
     recentMenu_ = file->addMenu(tr("Open &recent"));
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
     save_ = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
-                [this] { documents_->current().document->save(); });
+                [this] { documents_->save(documents_->current()); });
     QAction* saveAsAction =
         add(file, {}, tr("Save case &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-            [this] { documents_->current().document->saveAs(); });
+            [this] { documents_->saveAs(documents_->current()); });
     file->addSeparator();
     QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
                            QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
@@ -327,21 +326,19 @@ void MainWindow::fillEngines() {
         QString name = documents_->nameOf(*each);
         name.replace(QLatin1Char('&'), QLatin1String("&&"));
         engineMenu_->addAction(themedIcon(QStringLiteral("scene-") + other.sceneName()), name, this,
-                               [this, id = each->id] { takeEngine(id); });
+                               [this, from = each->document] { takeEngine(from); });
     }
     if (engineMenu_->isEmpty()) {
         engineMenu_->addAction(tr("No other open case has an engine"))->setEnabled(false);
     }
 }
 
-void MainWindow::takeEngine(int id) {
-    const auto& all = documents_->all();
-    const auto from =
-        std::find_if(all.begin(), all.end(), [id](const auto& each) { return each->id == id; });
-    if (from == all.end()) {
+void MainWindow::takeEngine(const QObject* document) {
+    const OpenDocument* from = documents_->of(document);
+    if (from == nullptr) {
         return;
     }
-    const SceneModel& other = *(*from)->page->model();
+    const SceneModel& other = *from->page->model();
     SceneModel& model = *currentPage()->model();
     Json input = model.inputJson();
     const auto [changed, kept] =
@@ -354,7 +351,7 @@ void MainWindow::takeEngine(int id) {
         }
         return words.join(QStringLiteral(", "));
     };
-    const QString name = documents_->nameOf(**from);
+    const QString name = documents_->nameOf(*from);
     try {
         if (!changed.empty()) {
             model.loadInput(input, model.context(), tr("Take the engine from %1").arg(name));

@@ -607,11 +607,14 @@ void WorkshopPage::openJob(qint64 id) {
 
 void WorkshopPage::bringJob(qint64 id, bool isCopy) {
     // One that is open beside this one is not opened twice: the later saving would be a copy.
-    const auto isOpenThere = [id](ScenePage* other) {
+    for (ScenePage* other : others()) {
         const auto* page = qobject_cast<WorkshopPage*>(other);
-        return page != nullptr && page->desk()->jobId() == id;
-    };
-    if ((!isCopy && showOther(isOpenThere)) || !mayReplaceJob()) {
+        if (!isCopy && page != nullptr && page->desk()->jobId() == id) {
+            Q_EMIT other->frontWanted();
+            return;
+        }
+    }
+    if (!mayReplaceJob()) {
         return;
     }
     const QString trouble = desk()->openJob(id, isCopy);

@@ -1,4 +1,4 @@
-// A document between file and model, and what it asks before something is lost.
+// A document between file and model.
 
 #include "model/case_document.h"
 
@@ -11,13 +11,10 @@
 #include <filesystem>
 
 #include "case-file/case_file.h"
-#include "model/open_case.h"
 #include "model/root_model.h"
 
 namespace ravnoves {
 namespace {
-
-using Answer = DocumentDialogs::Answer;
 
 class CaseDocumentTest : public ::testing::Test {
   protected:
@@ -28,29 +25,13 @@ class CaseDocumentTest : public ::testing::Test {
         test::RootModel other;
         other.set("square", square);
         other.setTitle(QStringLiteral("A title"));
-        EXPECT_EQ(CaseDocument(&other, {}).saveTo(file(name)), QString());
+        EXPECT_EQ(CaseDocument(&other).saveTo(file(name)), QString());
         return file(name);
     }
 
     QTemporaryDir folder;
     test::RootModel model;
-    QStringList asked;  ///< what was asked, in order
-    Answer answer = Answer::Stay;
-    QString chosen;
-    CaseDocument document{
-        &model,
-        {[this](bool hasFile) {
-             asked << (hasFile ? QStringLiteral("save?") : QStringLiteral("save, without a file?"));
-             return answer;
-         },
-         [this](const QString& suggestion) {
-             asked << suggestion;
-             return chosen;
-         },
-         [this](const QString& /*path*/, const QString& trouble) {
-             asked << trouble;
-             return DocumentDialogs::Instead::Stay;
-         }}};
+    CaseDocument document{&model};
 };
 
 TEST_F(CaseDocumentTest, IsNamedByItsFileElseByItsTitle) {
@@ -63,24 +44,19 @@ TEST_F(CaseDocumentTest, IsNamedByItsFileElseByItsTitle) {
     EXPECT_EQ(document.name(), QStringLiteral("nine.case.json"));
     EXPECT_EQ(model.title(), QStringLiteral("A title"));
     EXPECT_EQ(model.context().directory, std::filesystem::path(folder.path().toStdString()));
-    EXPECT_EQ(document.asOpenCase().file.title, "A title");
-    EXPECT_EQ(document.asOpenCase().file.input.at("crank_radius_mm"), 9.0);
+    EXPECT_EQ(model.root(), 3.0);
 }
 
 TEST_F(CaseDocumentTest, NeedsSavingUntilItIsSaved) {
     open(written("nine.case.json", 9.0));
     EXPECT_FALSE(document.needsSaving());
-    QSignalSpy saved(&document, &CaseDocument::saved);
     model.set("square", 16.0);
     EXPECT_TRUE(document.needsSaving());
     model.history()->undo();
     EXPECT_FALSE(document.needsSaving());
-    EXPECT_TRUE(document.canClose());
     model.set("square", 16.0);
-    EXPECT_TRUE(document.save());
+    EXPECT_EQ(document.saveTo(document.path()), QString());
     EXPECT_FALSE(document.needsSaving());
-    EXPECT_EQ(saved.size(), 1);
-    EXPECT_TRUE(asked.isEmpty());
     model.set("square", 25.0);
     open(document.path());
     EXPECT_EQ(model.root(), 4.0);
@@ -103,45 +79,18 @@ TEST_F(CaseDocumentTest, ABadFileChangesNothing) {
     EXPECT_EQ(model.title(), QStringLiteral("A title"));
 }
 
-TEST_F(CaseDocumentTest, WithoutAFileItAsksWhereToSave) {
-    model.set("square", 9.0);
-    EXPECT_FALSE(document.save());
-    EXPECT_EQ(asked, QStringList{QStringLiteral("balance-shaft.case.json")});
-    EXPECT_TRUE(document.path().isEmpty());
-    chosen = file("nine");
-    EXPECT_TRUE(document.save());
-    EXPECT_EQ(document.path(), file("nine.case.json"));
-    EXPECT_FALSE(document.needsSaving());
-    EXPECT_TRUE(QFile::exists(document.path()));
-    asked.clear();
-    chosen = file("copy.case.json");
-    EXPECT_TRUE(document.saveAs());
-    EXPECT_EQ(asked, QStringList{file("nine.case.json")});
-    EXPECT_EQ(document.path(), chosen);
+TEST_F(CaseDocumentTest, ProposesItsFileElseOneByItsScene) {
+    EXPECT_EQ(document.proposedPath(), QStringLiteral("balance-shaft.case.json"));
+    open(written("nine.case.json", 9.0));
+    EXPECT_EQ(document.proposedPath(), file("nine.case.json"));
 }
 
 TEST_F(CaseDocumentTest, SaysWhatCannotBeWritten) {
     model.set("square", 9.0);
-    chosen = QStringLiteral("/dev/null/x.case.json");
-    EXPECT_FALSE(document.saveAs());
-    ASSERT_EQ(asked.size(), 2);
-    EXPECT_TRUE(asked[1].startsWith(chosen)) << asked[1].toStdString();
+    const QString path = QStringLiteral("/dev/null/x.case.json");
+    EXPECT_TRUE(document.saveTo(path).startsWith(path));
     EXPECT_TRUE(document.path().isEmpty());
     EXPECT_TRUE(document.needsSaving());
-}
-
-TEST_F(CaseDocumentTest, AsksBeforeChangesAreLost) {
-    model.set("square", 9.0);
-    EXPECT_FALSE(document.canClose());
-    EXPECT_EQ(asked, QStringList{QStringLiteral("save, without a file?")});
-    asked.clear();
-    open(written("nine.case.json", 9.0));
-    model.set("square", 16.0);
-    EXPECT_FALSE(document.canClose());
-    EXPECT_EQ(asked, QStringList{QStringLiteral("save?")});
-    answer = Answer::Discard;
-    EXPECT_TRUE(document.canClose());
-    EXPECT_EQ(model.root(), 4.0);
 }
 
 TEST_F(CaseDocumentTest, UndoNeverCrossesOpenOrBegin) {
@@ -160,17 +109,6 @@ TEST_F(CaseDocumentTest, UndoNeverCrossesOpenOrBegin) {
     EXPECT_FALSE(document.needsSaving());
 }
 
-TEST_F(CaseDocumentTest, SavesWhereThatIsTheAnswer) {
-    open(written("nine.case.json", 9.0));
-    model.set("square", 16.0);
-    answer = Answer::Save;
-    EXPECT_TRUE(document.canClose());
-    EXPECT_FALSE(document.needsSaving());
-    model.loadDefault();
-    open(file("nine.case.json"));
-    EXPECT_EQ(model.root(), 4.0);
-}
-
 TEST_F(CaseDocumentTest, WhatIsBeingTypedIsSaved) {
     open(written("nine.case.json", 9.0));
     QSignalSpy named(&document, &CaseDocument::nameChanged);
@@ -178,11 +116,11 @@ TEST_F(CaseDocumentTest, WhatIsBeingTypedIsSaved) {
     model.step("square", 16.0);
     EXPECT_TRUE(document.needsSaving());
     EXPECT_EQ(named.size(), 1);
-    EXPECT_TRUE(document.save());
+    EXPECT_EQ(document.saveTo(document.path()), QString());
     EXPECT_FALSE(document.needsSaving());
     model.endEditing();
     EXPECT_FALSE(document.needsSaving());
-    EXPECT_EQ(document.asOpenCase().file.input.at("crank_radius_mm"), 16.0);
+    EXPECT_EQ(CaseDocument::read(document.path()).input.at("crank_radius_mm"), 16.0);
 }
 
 TEST_F(CaseDocumentTest, RemembersTheLastFiles) {

@@ -131,7 +131,7 @@ TEST_P(FixtureOfWindow, IsOpenedAndSavedAsItWas) {
     const CaseFile job = workshop::as_job(parse_case(was.dump()));
     EXPECT_EQ(file.scene, job.scene);
     const auto model = modelOf(file.scene);
-    CaseDocument document(model.get(), {});
+    CaseDocument document(model.get());
     ASSERT_NO_THROW(document.open(file, path));
     EXPECT_FALSE(document.needsSaving());
     EXPECT_EQ(model->variants().size(),
@@ -253,7 +253,7 @@ TEST_P(FixtureJournal, ListsAndOpensItsJobs) {
         });
         ASSERT_NE(draft, drafts.end());
         const auto model = modelOf(each.content.scene, path);
-        CaseDocument document(model.get(), {});
+        CaseDocument document(model.get());
         document.restore(each.content, each);
         EXPECT_EQ(model->findChild<JobDesk*>()->jobId(), draft->jobId);
         EXPECT_TRUE(document.needsSaving());
@@ -280,7 +280,7 @@ TEST_F(FixtureRecovery, IsOfferedAndRestored) {
     std::map<std::string, Json> inputs;
     for (const RecoveredCase& each : found.cases) {
         const auto model = modelOf(each.content.scene);
-        CaseDocument document(model.get(), {});
+        CaseDocument document(model.get());
         ASSERT_NO_THROW(document.restore(each.content, each));
         EXPECT_TRUE(document.needsSaving());
         EXPECT_EQ(document.path().isEmpty(), each.content.scene == "elastic-hinge");

@@ -37,7 +37,7 @@ class RecoveryTest : public ::testing::Test {
 
     QTemporaryDir folder;
     test::RootModel model;
-    CaseDocument document{&model, {}};
+    CaseDocument document{&model};
 };
 
 TEST_F(RecoveryTest, KeepsWhatIsNotSavedWithinASecond) {
@@ -115,7 +115,7 @@ TEST_F(RecoveryTest, OffersWhatAProgramLeftThatRunsNoLonger) {
         EXPECT_TRUE(third.leftBehind().cases.isEmpty()) << "offered by another window";
     }
     test::RootModel again;
-    CaseDocument restored(&again, {});
+    CaseDocument restored(&again);
     restored.restore(left.content, left);
     EXPECT_EQ(again.root(), 3.0);
     EXPECT_EQ(again.place, 17);
@@ -173,7 +173,7 @@ TEST_F(RecoveryTest, WhatWasChangedSinceTheCrashIsSaid) {
     const QByteArray known = document.disk().digest();
     test::RootModel other;
     other.set("square", 25.0);
-    ASSERT_EQ(CaseDocument(&other, {}).saveTo(file("a.case.json")), QString());
+    ASSERT_EQ(CaseDocument(&other).saveTo(file("a.case.json")), QString());
     RecoveredCase from;
     from.path = file("a.case.json");
     from.known = known;
@@ -282,27 +282,18 @@ class DiskTest : public ::testing::Test {
     void writeByOthers(double square) {
         test::RootModel other;
         other.set("square", square);
-        EXPECT_EQ(CaseDocument(&other, {}).saveTo(path), QString());
+        EXPECT_EQ(CaseDocument(&other).saveTo(path), QString());
     }
     QTemporaryDir folder;
     QString path = folder.filePath(QStringLiteral("a.case.json"));
     test::RootModel model;
-    QStringList asked;
-    DocumentDialogs::Instead instead = DocumentDialogs::Instead::Stay;
-    QString chosen;
-    CaseDocument document{&model,
-                          {[](bool) { return DocumentDialogs::Answer::Stay; },
-                           [this](const QString&) { return chosen; },
-                           [this](const QString& file, const QString& trouble) {
-                               asked << (trouble.isEmpty() ? file : trouble);
-                               return instead;
-                           }}};
+    CaseDocument document{&model};
 };
 
 TEST_F(DiskTest, ItsOwnSavingIsNoChange) {
     QSignalSpy said(&document.disk(), &FileOnDisk::stateChanged);
     model.set("square", 16.0);
-    EXPECT_TRUE(document.save());
+    EXPECT_EQ(document.saveTo(path), QString());
     document.disk().check();
     EXPECT_EQ(said.size(), 0);
 }
@@ -320,9 +311,6 @@ TEST_F(DiskTest, MineIsKeptAndNeedsSaving) {
     document.keepMine();
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
     EXPECT_TRUE(document.needsSaving());
-    EXPECT_TRUE(document.save());
-    EXPECT_TRUE(asked.isEmpty());
-    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
 }
 
 TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
@@ -331,9 +319,8 @@ TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
     document.keepMine();
     EXPECT_TRUE(document.needsSaving());
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
-    EXPECT_TRUE(document.save());
+    EXPECT_EQ(document.saveTo(path), QString());
     EXPECT_TRUE(QFile::exists(path));
-    EXPECT_TRUE(asked.isEmpty());
 }
 
 TEST_F(DiskTest, AChangeWhileTheFileIsReadIsSeen) {
@@ -342,9 +329,6 @@ TEST_F(DiskTest, AChangeWhileTheFileIsReadIsSeen) {
     writeByOthers(25.0);
     document.open(read, path, known);
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
-    EXPECT_FALSE(document.save());
-    EXPECT_EQ(asked, QStringList{path});
-    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
     // What is written is known without another look at the disk.
     EXPECT_EQ(document.saveTo(path), QString());
     EXPECT_EQ(document.disk().digest(), FileOnDisk::digestOf(test::contentOf(path).toStdString()));
@@ -358,34 +342,30 @@ TEST_F(DiskTest, MineIsKeptAgainstWhatWasSeenOnly) {
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
 }
 
-TEST_F(DiskTest, TheLastCopyDoesNotGoUnasked) {
+TEST_F(DiskTest, TheLastCopyNeedsSaving) {
+    const auto isLast = [this] {
+        document.disk().check();
+        return document.needsSaving();
+    };
     writeByOthers(25.0);
-    EXPECT_TRUE(document.canClose()) << "nothing was changed here";
+    EXPECT_FALSE(isLast()) << "nothing was changed here";
     ASSERT_TRUE(QFile::resize(path, 20));
-    EXPECT_FALSE(document.canClose());
-    EXPECT_TRUE(document.needsSaving());
+    EXPECT_TRUE(isLast());
     writeByOthers(9.0);
-    EXPECT_TRUE(document.canClose());
+    EXPECT_FALSE(isLast());
     ASSERT_TRUE(QFile::remove(path));
-    EXPECT_FALSE(document.canClose());
-    EXPECT_TRUE(document.save());
-    EXPECT_TRUE(document.canClose());
+    EXPECT_TRUE(isLast());
+    EXPECT_EQ(document.saveTo(path), QString());
+    EXPECT_FALSE(isLast());
 }
 
 TEST_F(DiskTest, AReadOnlyFileStaysAsItIs) {
     QFile file(path);
     ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::ReadGroup));
     model.set("square", 16.0);
-    chosen = folder.filePath(QStringLiteral("mine.case.json"));
-    EXPECT_FALSE(document.save());
-    ASSERT_EQ(asked.size(), 1);
-    EXPECT_TRUE(asked[0].contains(QStringLiteral("read-only"))) << asked[0].toStdString();
+    EXPECT_TRUE(document.saveTo(path).contains(QStringLiteral("read-only")));
     EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
     EXPECT_TRUE(document.needsSaving());
-    instead = DocumentDialogs::Instead::Elsewhere;
-    EXPECT_TRUE(document.save());
-    EXPECT_EQ(document.path(), chosen);
-    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
 }
 
 }  // namespace

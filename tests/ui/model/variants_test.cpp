@@ -146,11 +146,11 @@ TEST_F(VariantsTest, GoWithTheCaseThroughItsFile) {
     model.set("square", 0.1 + 0.2);
     model.keepVariant(QStringLiteral("Ж \"1\""));
     model.set("square", 9.0);
-    ASSERT_EQ(CaseDocument(&model, {}).saveTo(path), QString());
+    ASSERT_EQ(CaseDocument(&model).saveTo(path), QString());
 
     test::RootModel other;
     other.keepVariant(QStringLiteral("goes"));
-    CaseDocument document(&other, {});
+    CaseDocument document(&other);
     document.open(CaseDocument::read(path), path);
     EXPECT_EQ(other.variants(), model.variants());
     EXPECT_EQ(other.input().square, 9.0);
@@ -167,11 +167,11 @@ TEST_F(VariantsTest, AnInputThatIsRejectedStaysWithItsReason) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("v.case.json"));
     model.keepVariant();
-    ASSERT_EQ(CaseDocument(&model, {}).saveTo(path), QString());
+    ASSERT_EQ(CaseDocument(&model).saveTo(path), QString());
     CaseFile file = CaseDocument::read(path);
     file.variants[0].input["crank_radius_mm"] = -1.0;
     file.variants.push_back({"odd", {{"radius", 1.0}}});
-    CaseDocument document(&model, {});
+    CaseDocument document(&model);
     document.open(file, path);
     ASSERT_EQ(names().size(), 2);
     EXPECT_FALSE(model.variantTrouble(0).isEmpty());

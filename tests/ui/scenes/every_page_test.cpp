@@ -625,11 +625,11 @@ TEST_P(EveryCase, ComesBackFromItsFile) {
         other->model()->loadInput(input, model().context());
         EXPECT_EQ(other->model()->inputJson(), input) << qPrintable(name);
 
-        CaseDocument document(&model(), {});
+        CaseDocument document(&model());
         model().setTitle(u"Ж \"1\""_s);
         const QString path = folder.filePath(name);
         ASSERT_EQ(document.saveTo(path), QString());
-        CaseDocument second(other->model(), {});
+        CaseDocument second(other->model());
         second.open(CaseDocument::read(path), path);
         EXPECT_EQ(other->model()->inputJson(), input) << qPrintable(name);
         EXPECT_EQ(other->model()->resultJson(), model().resultJson()) << qPrintable(name);
@@ -643,7 +643,7 @@ TEST_P(EveryCase, ComesBackFromItsFile) {
         const QString path = examples.filePath(name);
         const CaseFile file = CaseDocument::read(path);
         if (file.scene == GetParam()) {
-            CaseDocument(&model(), {}).open(file, path);
+            CaseDocument(&model()).open(file, path);
             throughFile(name);
             ++opened;
         }

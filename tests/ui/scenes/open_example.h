@@ -15,7 +15,7 @@ inline void openExample(SceneModel& model) {
         const QString path = examples.filePath(name);
         const CaseFile file = CaseDocument::read(path);
         if (QString::fromStdString(file.scene) == model.sceneName()) {
-            CaseDocument(&model, {}).open(file, path);
+            CaseDocument(&model).open(file, path);
             return;
         }
     }

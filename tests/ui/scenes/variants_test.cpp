@@ -376,7 +376,7 @@ TEST(VariantsSideBySide, OfOneThatIsRejectedNothingIsShown) {
     Json bad = file.input;
     bad["lambda"] = 5.0;
     file.variants = {{"good", good}, {"bad", bad}};
-    CaseDocument(&model, {}).open(file, u"/tmp/x.case.json"_s);
+    CaseDocument(&model).open(file, u"/tmp/x.case.json"_s);
     const VariantTable dialog(page.get(), nullptr);
     const ResultTable& table = *dialog.table();
     ASSERT_EQ(table.columnCount(), 4);
@@ -507,7 +507,7 @@ TEST_P(EveryPagesVariants, AReferenceThatIsRejectedSaysWhy) {
     Json bad = model().inputJson();
     bad["no_such_key"] = 1;
     file.variants.push_back({"bad", bad});
-    CaseDocument(&model(), {}).open(file, u"/tmp/x.case.json"_s);
+    CaseDocument(&model()).open(file, u"/tmp/x.case.json"_s);
     ASSERT_EQ(model().variants().size(), 1);
     QSignalSpy said(page.get(), &ScenePage::status);
     model().chooseReference(0);

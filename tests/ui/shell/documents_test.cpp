@@ -26,7 +26,6 @@
 #include "methods/methods_page.h"
 #include "methods/model/case_budget_model.h"
 #include "model/case_document.h"
-#include "model/open_case.h"
 #include "page/scene_page.h"
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
@@ -307,6 +306,11 @@ TEST_F(DocumentsTest, ClosingAsksForItsOwnChangesAlone) {
     EXPECT_FALSE(window.windowTitle().contains(u"tmz-650d"_s));
     ASSERT_EQ(asked.size(), 2);
     EXPECT_TRUE(asked[0].contains(u"tmz-650d.case.json"_s));
+    open(u"honda"_s);
+    set(u"shaft_angle_deg=78"_s);
+    answer(QMessageBox::Save);
+    press(Qt::Key_W);
+    EXPECT_EQ(CaseDocument::read(example(u"honda"_s)).input.at("shaft_angle_deg"), 78);
 }
 
 TEST_F(DocumentsTest, QuittingAsksForEachThatHasChanges) {

@@ -285,6 +285,20 @@ TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     EXPECT_TRUE(window.statusBar()->currentMessage().contains(QStringLiteral("new.case.json")));
 }
 
+TEST_F(SavingTest, WhatCannotBeSavedInItsPlaceIsSavedElsewhere) {
+    const QString path = caseWithTable("a");
+    ASSERT_EQ(window.openCase(path), QString());
+    ASSERT_TRUE(QFile(path).setPermissions(QFile::ReadOwner));
+    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=70")), QString());
+    typed = QStringList{file("mine")};
+    answer("Save as…");
+    press(Qt::Key_S);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].startsWith(path)) << asked[0].toStdString();
+    EXPECT_EQ(window.documents().current().document->path(), file("mine.case.json"));
+    EXPECT_FALSE(window.isWindowModified());
+}
+
 TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRejected) {
     const QString path = caseWithTable("a");
     ASSERT_EQ(window.openCase(path), QString());

@@ -140,7 +140,7 @@ TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
     const QString path = folder.filePath(u"двигатель.case.json"_s);
     QWidget place;
     const std::unique_ptr<ScenePage> scene(sceneList().front().make(&place));
-    CaseDocument document(scene->model(), {});
+    CaseDocument document(scene->model());
     EXPECT_EQ(document.saveTo(path), QString());
     page.hide();
     page.show();

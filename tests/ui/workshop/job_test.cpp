@@ -896,17 +896,11 @@ TEST_F(JobPageTest, TheMachineBeginsAtTheNextReading) {
 }
 
 TEST_F(JobPageTest, ACaseIsProposedByTheNameOfItsJob) {
-    QStringList proposed;
-    DocumentDialogs dialogs;
-    dialogs.choosePath = [&](const QString& path) {
-        proposed << path;
-        return QString();
-    };
-    CaseDocument document(model, dialogs);
-    EXPECT_FALSE(document.saveAs());
+    const CaseDocument document(model);
+    QStringList proposed{document.proposedPath()};
     for (const char* number : {"ЗМЗ-53 № 1234/56", "//"}) {
         model->edit(u"number"_s, [&](workshop::Input& input) { input.job.engine_number = number; });
-        EXPECT_FALSE(document.saveAs());
+        proposed << document.proposedPath();
     }
     EXPECT_EQ(proposed, QStringList({u"workshop.case.json"_s, u"ЗМЗ-53_1234_56.case.json"_s,
                                      u"workshop.case.json"_s}));
@@ -953,7 +947,7 @@ TEST_F(JobPageTest, ReadingsAreNotComparedWithAWeightThatIsNotKnown) {
 
 TEST_F(CardJobTest, TheNextJobIsNotOfTheFileBeforeIt) {
     type("customer", u"Smith"_s);
-    CaseDocument document(model, {});
+    CaseDocument document(model);
     ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
     EXPECT_FALSE(document.path().isEmpty());
     save();
@@ -1268,7 +1262,7 @@ TEST_F(CardJobTest, ColumnsArePasted) {
 }
 
 TEST_F(CardJobTest, AnotherEngineIsAJobOfItsOwn) {
-    CaseDocument document(model, {});
+    CaseDocument document(model);
     type("engine_number", u"A 1"_s);
     ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
     save();

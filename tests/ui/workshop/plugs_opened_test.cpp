@@ -53,7 +53,7 @@ TEST(OpenedCase, HasTheNumbersOfItsScene) {
             SCOPED_TRACE(path.string());
             const CaseFile file = parse_case(read_text_file(path));
             WorkshopModel model({});
-            CaseDocument document(&model, {});
+            CaseDocument document(&model);
             const QString name = QFile::decodeName(path.c_str());
             document.open(CaseDocument::read(name), name);
             const CaseFile saved = document.model()->caseFile();

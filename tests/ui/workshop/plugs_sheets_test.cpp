@@ -188,7 +188,7 @@ TEST_F(PlugsSheetsTest, APresetBeginsAJobOfToday) {
         "engine": {"type": "v", "cylinders": 8, "bank_angle_deg": 90}, "plugs": {"engine": "6 l"}})");
     model->editPlugs({}, [](auto& input) { input.tolerance = 7.0 * units::gram_mm; });
     model->keepTolerance();  // the shop's
-    CaseDocument document(model, {});
+    CaseDocument document(model);
     document.begin({"workshop", "V-8 of 6 litres", plugs});
     EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 7.0 * units::gram_mm);
     EXPECT_EQ(QString::fromStdString(model->input().job.date),

@@ -5,14 +5,20 @@
 #include <optional>
 #include <vector>
 
+#include "case-file/case_context.h"
+#include "case-file/case_file.h"
 #include "case-file/verdict.h"
 #include "methods/case_budget.h"
 #include "model/background_job.h"
-#include "model/open_case.h"
 #include "text/field_names.h"
 #include "text/result_row.h"
 
 namespace ravnoves {
+
+struct OpenCase {
+    CaseFile file;
+    CaseContext context;
+};
 
 /// How sure the leading results of the open case are, as "This case" shows it.
 class CaseBudgetModel : public QObject {
