@@ -30,7 +30,6 @@
 #include "shell/documents.h"
 #include "shell/help_window.h"
 #include "shell/new_cases.h"
-#include "shell/page_drawing.h"
 #include "shell/recovery_dialog.h"
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
@@ -40,7 +39,6 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 
@@ -418,12 +416,12 @@ void MainWindow::openWithDialog() {
 void MainWindow::exportPicture() {
     ScenePage* page = currentPage();
     const auto draw = [page](QPainter& painter, double scale) {
-        if (takesLines(painter)) {
-            drawPage(painter, page);
-        } else {
-            painter.scale(scale, scale);
-            page->render(&painter);
-        }
+        constexpr double dots = 3.125;  // 300 to the inch, in every format
+        QImage picture(page->size() * dots, QImage::Format_RGB32);
+        picture.setDevicePixelRatio(dots);
+        page->render(&picture);
+        painter.scale(scale, scale);
+        painter.drawImage(0, 0, picture);
     };
     savePictureWithDialog(this, tr("Save page as picture"), currentScene() + QStringLiteral(".png"),
                           {}, [&](const QString& path) {

@@ -10,19 +10,15 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QTabWidget>
-#include <QTemporaryDir>
-#include <QTextDocumentFragment>
 #include <memory>
 #include <string>
 
 #include "events.h"
-#include "files.h"
 #include "page/scene_page.h"
-#include "pictures/picture_file.h"
+#include "painted.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
 #include "scenes/open_example.h"
-#include "shell/page_drawing.h"
 #include "shown_number.h"
 #include "text/csv_format.h"
 #include "text/preferences.h"
@@ -74,14 +70,12 @@ class PageInOtherUnits : public ::testing::TestWithParam<std::string> {
         QApplication::processEvents();
         EXPECT_TRUE(test::comes([&] { return !page.isBusy(); }));
         QApplication::processEvents();
-        const QString file = folder_.filePath(u"page.svg"_s);
-        ASSERT_EQ(writePicture(file, page.size(), {},
-                               [&](QPainter& painter, double) { drawPage(painter, &page); }),
-                  QString());
-        static const QRegularExpression text(u"<text[^>]*>([^<]*)</text>"_s);
-        for (auto found = text.globalMatch(QString::fromUtf8(test::contentOf(file)));
-             found.hasNext();) {
-            said.texts << QTextDocumentFragment::fromHtml(found.next().captured(1)).toPlainText();
+        for (QWidget* each : page.findChildren<QWidget*>()) {
+            if (each->isVisible()) {
+                for (const test::PaintedText& painted : test::painted(*each).texts) {
+                    said.texts << painted.text;
+                }
+            }
         }
         for (const QLabel* label : page.findChildren<QLabel*>()) {
             if (label->isVisible()) {
@@ -118,8 +112,6 @@ class PageInOtherUnits : public ::testing::TestWithParam<std::string> {
         said.texts.removeDuplicates();
         return said;
     }
-
-    QTemporaryDir folder_;
 };
 
 /// The units, by their names, that a number of a table may be in: that of its column, of its row,
