@@ -3,7 +3,6 @@
 #include "model/recovery.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <QDir>
@@ -11,12 +10,12 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <csignal>
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "comes.h"
 #include "files.h"
+#include "full_disk.h"
 #include "model/case_document.h"
 #include "model/root_model.h"
 #include "processor_time.h"
@@ -208,27 +207,10 @@ TEST_F(RecoveryTest, ADamagedFileIsKeptAside) {
     EXPECT_TRUE(next.leftBehind().damaged.isEmpty()) << "said once";
 }
 
-/// While it lives, nothing can be written, as on a full disk.
-class FullDisk {
-  public:
-    FullDisk() {
-        ::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit none{0, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &none);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
-
-  private:
-    rlimit before_{};
-};
-
 TEST_F(RecoveryTest, WithoutItsLockNothingIsKept) {
     std::unique_ptr<Recovery> recovery;
     {
-        const FullDisk full;
+        const test::FullDisk full;
         recovery = std::make_unique<Recovery>(keptIn());
         QSignalSpy failed(recovery.get(), &Recovery::failed);
         watch(*recovery);
@@ -244,7 +226,7 @@ TEST_F(RecoveryTest, WithoutItsLockNothingIsKept) {
         EXPECT_TRUE(other.leftBehind().cases.isEmpty()) << "that program runs";
     }
     recovery.reset();
-    const FullDisk full;
+    const test::FullDisk full;
     Recovery next(keptIn());
     const Recovery::Found found = next.leftBehind();
     ASSERT_EQ(found.cases.size(), 1) << "nobody has it, though it cannot be locked";
