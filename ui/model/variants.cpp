@@ -18,6 +18,18 @@ bool isTaken(const QList<Variant>& variants, const QString& name) {
                        [&](const Variant& variant) { return variant.name == name; });
 }
 
+/// A, B, …, Z, A2, …: the first name that no variant has.
+QString nextVariantName(const QList<Variant>& variants) {
+    QString name;
+    for (int i = 0; name.isEmpty() || isTaken(variants, name); ++i) {
+        name = QChar(static_cast<char16_t>(u'A' + i % 26));
+        if (i >= 26) {
+            name += QString::number(i / 26 + 1);
+        }
+    }
+    return name;
+}
+
 }  // namespace
 
 Variants variantsOf(const CaseFile& file) {
@@ -29,17 +41,6 @@ Variants variantsOf(const CaseFile& file) {
         variants.list.push_back({QString::fromStdString(variant.name), variant.input.dump()});
     }
     return variants;
-}
-
-QString nextVariantName(const QList<Variant>& variants) {
-    QString name;
-    for (int i = 0; name.isEmpty() || isTaken(variants, name); ++i) {
-        name = QChar(static_cast<char16_t>(u'A' + i % 26));
-        if (i >= 26) {
-            name += QString::number(i / 26 + 1);
-        }
-    }
-    return name;
 }
 
 void SceneModel::setVariants(const Variants& variants) {

@@ -26,7 +26,4 @@ struct Variants {
 /// The variants of a case.
 Variants variantsOf(const CaseFile& file);
 
-/// A, B, …, Z, A2, …: the first name that no variant has.
-QString nextVariantName(const QList<Variant>& variants);
-
 }  // namespace ravnoves

@@ -53,11 +53,6 @@ class ScenePage : public QWidget {
     QStringList shownTabs() const;
     void showTabs(const QStringList& names);
 
-    /// Looks into the journal of the page, where it keeps one.
-    virtual void showJournal(const QString& /*search*/) {}
-    /// Brings a job of that journal onto the page, where it is open already that page to the front.
-    virtual void openJob(qint64 /*id*/) {}
-
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);

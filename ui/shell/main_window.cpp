@@ -39,6 +39,7 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "workshop/workshop_page.h"
 
 namespace ravnoves {
 
@@ -174,8 +175,10 @@ void MainWindow::showStart() {
         connect(start_, &StartPage::openRequested, this,
                 [this](const QString& path) { openOrSayWhy({path}); });
         connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
-        connect(start_, &StartPage::journalRequested, this, &MainWindow::showJournal);
-        connect(start_, &StartPage::jobRequested, this, &MainWindow::openJob);
+        connect(start_, &StartPage::journalRequested, this,
+                [this] { showWorkshop()->showJournal(); });
+        connect(start_, &StartPage::jobRequested, this,
+                [this](qint64 id) { showWorkshop()->openJob(id); });
     }
     if (documents_->hasCurrent()) {
         currentPage()->setActive(false);
@@ -196,16 +199,9 @@ void MainWindow::leaveStart() {
     }
 }
 
-void MainWindow::showJournal() {
-    if (showScene(QStringLiteral("workshop"))) {
-        currentPage()->showJournal({});
-    }
-}
-
-void MainWindow::openJob(qint64 id) {
-    if (showScene(QStringLiteral("workshop"))) {
-        currentPage()->openJob(id);
-    }
+WorkshopPage* MainWindow::showWorkshop() {
+    showScene(QStringLiteral("workshop"));
+    return static_cast<WorkshopPage*>(currentPage());
 }
 
 QString MainWindow::currentScene() const {

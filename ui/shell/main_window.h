@@ -20,6 +20,7 @@ class ScaleButton;
 class ScenePage;
 class StartPage;
 class VariantMenu;
+class WorkshopPage;
 
 /// The window: navigation between the scenes, menus, toolbar, status bar, over its documents.
 class MainWindow : public QMainWindow {
@@ -99,8 +100,7 @@ class MainWindow : public QMainWindow {
     void say(const QString& text, std::chrono::milliseconds during = std::chrono::seconds(5));
     void updateCaseActions();
     void updateHistoryActions();
-    void showJournal();
-    void openJob(qint64 id);
+    WorkshopPage* showWorkshop();
     void showHelp(const QString& topic);
     void showAbout();
     /// The window of the tolerances of the case in front; one that is open comes to the front.

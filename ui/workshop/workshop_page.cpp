@@ -261,7 +261,7 @@ void WorkshopPage::buildActions() {
         QKeySequence(Qt::Key_F4), tr("Next job: engine values are kept, other fields are cleared"),
         [this] { newJob(); });
     add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
-        QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal({}); });
+        QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal(); });
     actions_ << nullptr;
     add(QStringLiteral("preview_card"), QStringLiteral("preview"), tr("Job card, &preview…"),
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), tr("Preview the job card"),

@@ -40,8 +40,9 @@ class WorkshopPage : public ScenePage {
     std::optional<bool> askToSave() override;
     std::optional<bool> saveInPlace() override;
     QString savingTip() const override;
-    void showJournal(const QString& search) override;
-    void openJob(qint64 id) override;
+    void showJournal(const QString& search = {});
+    /// Brings a job of the journal onto the page, where it is open already that page to the front.
+    void openJob(qint64 id);
 
     /// Opens the journal; happens by itself once shown.
     void openJournal();

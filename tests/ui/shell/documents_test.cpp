@@ -1,7 +1,5 @@
 // Several cases open as tabs, through the window's keys, mouse and menus.
 
-#include "shell/documents.h"
-
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -12,23 +10,16 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QTableWidget>
-#include <QTemporaryDir>
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
-#include "events.h"
 #include "files.h"
 #include "methods/methods_page.h"
 #include "methods/model/case_budget_model.h"
-#include "model/case_document.h"
-#include "page/scene_page.h"
-#include "shell/main_window.h"
-#include "shell/screenshot.h"
+#include "shell/window_test.h"
 #include "workshop/journal_dialog.h"
 #include "workshop/model/job_desk.h"
 
@@ -37,13 +28,8 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-class DocumentsTest : public ::testing::Test {
+class DocumentsTest : public test::WindowTest {
   protected:
-    DocumentsTest() {
-        test::showAt(window, {1280, 800});
-        window.activateWindow();
-    }
-
     /// Of an example; "honda" is another engine with a balance shaft.
     QString example(const QString& name) {
         const QString path = QStringLiteral(RAVNOVES_EXAMPLES "/%1.case.json");
@@ -56,16 +42,8 @@ class DocumentsTest : public ::testing::Test {
         }
         return honda;
     }
-    void open(const QString& name) { ASSERT_EQ(window.openCase(example(name)), QString()); }
-    QTabBar& bar() { return *window.findChild<QTabBar*>(u"documents"_s); }
-    QStringList tabs() {
-        QStringList texts;
-        for (int i = 0; i < bar().count(); ++i) {
-            texts << bar().tabText(i);
-        }
-        return texts;
-    }
-    SceneModel& model() { return *window.currentPage()->model(); }
+    void open(const QString& name) { ASSERT_EQ(window->openCase(example(name)), QString()); }
+    QTabBar& bar() { return *window->findChild<QTabBar*>(u"documents"_s); }
     /// Keeps job A-1 of the workshop in a journal of its own.
     JobDesk* keepJob() {
         QFile::remove(Journal::defaultPath());
@@ -73,29 +51,10 @@ class DocumentsTest : public ::testing::Test {
         QTest::qWait(100);  // until the page is there for its keys
         set(u"job/engine_number=A-1"_s);
         press(Qt::Key_F2, {});
-        auto* desk = window.currentPage()->findChild<JobDesk*>();
+        auto* desk = window->currentPage()->findChild<JobDesk*>();
         EXPECT_TRUE(test::comes([&] { return desk->jobId() != 0; }));
         return desk;
     }
-    void set(const QString& pair) { ASSERT_EQ(applySetting(window, pair), QString()); }
-    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
-        test::pressIn(window, key, modifiers);
-        QApplication::processEvents();
-    }
-    /// Answers the next message box that has no answer yet and keeps its text.
-    void answer(QMessageBox::StandardButton button) {
-        answers << button;
-        test::whenModal<QMessageBox>(&window, [this](QMessageBox* box) {
-            asked << box->text();
-            box->button(answers.takeFirst())->click();
-        });
-    }
-    QAction* action(const QString& begins) { return test::actionNamed(window, begins); }
-
-    QTemporaryDir folder;
-    MainWindow window;
-    QStringList asked;
-    QList<QMessageBox::StandardButton> answers;
 };
 
 TEST_F(DocumentsTest, ACaseThatIsOpenedReplacesNothing) {
@@ -107,12 +66,12 @@ TEST_F(DocumentsTest, ACaseThatIsOpenedReplacesNothing) {
     EXPECT_TRUE(bar().isVisible());
     EXPECT_EQ(tabs(), (QStringList{u"tmz-650d *"_s, u"honda"_s}));
     EXPECT_EQ(bar().currentIndex(), 1);
-    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_FALSE(window->isWindowModified());
     EXPECT_NE(model().inputJson().at("shaft_angle_deg"), 77);
     press(Qt::Key_Tab);
     EXPECT_EQ(bar().currentIndex(), 0);
-    EXPECT_TRUE(window.isWindowModified());
-    EXPECT_TRUE(window.windowTitle().startsWith(u"tmz-650d.case.json"_s));
+    EXPECT_TRUE(window->isWindowModified());
+    EXPECT_TRUE(window->windowTitle().startsWith(u"tmz-650d.case.json"_s));
     EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
 }
 
@@ -122,15 +81,15 @@ TEST_F(DocumentsTest, AFileThatIsOpenComesToTheFront) {
     open(u"tmz-650d"_s);
     set(u"shaft_angle_deg=77"_s);
     open(u"vr5-volkswagen"_s);
-    ASSERT_EQ(window.openCase(link), QString());
+    ASSERT_EQ(window->openCase(link), QString());
     EXPECT_EQ(bar().count(), 2);
-    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+    EXPECT_EQ(window->currentScene(), u"balance-shaft"_s);
     EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
 }
 
 TEST_F(DocumentsTest, WhatIsWrongWithAFileIsSaidInWords) {
     open(u"vr5-volkswagen"_s);
-    const std::size_t open = window.documents().all().size();
+    const std::size_t open = window->documents().all().size();
     Json good = Json::parse(CaseDocument::read(example(u"tmz-650d"_s)).input.dump());
     const auto trouble = [&](const char* pointer, const Json& value) {
         Json document{{"format", "ravnoves-case"},
@@ -140,12 +99,12 @@ TEST_F(DocumentsTest, WhatIsWrongWithAFileIsSaidInWords) {
         document[Json::json_pointer(pointer)] = value;
         const QString bad = folder.filePath(u"bad.json"_s);
         test::writeFile(bad, QByteArray::fromStdString(document.dump()));
-        return window.openCase(bad).mid(bad.size() + 2);
+        return window->openCase(bad).mid(bad.size() + 2);
     };
     EXPECT_EQ(trouble("/input/crank_radius_mm", -46),
               u"Crank radius r: must be greater than 0, got −46"_s);
-    EXPECT_EQ(window.documents().all().size(), open);
-    EXPECT_EQ(window.currentScene(), u"inertia-moments"_s);
+    EXPECT_EQ(window->documents().all().size(), open);
+    EXPECT_EQ(window->currentScene(), u"inertia-moments"_s);
 }
 
 TEST_F(DocumentsTest, TheNavigationFollowsAndBringsASceneSLastTab) {
@@ -156,16 +115,16 @@ TEST_F(DocumentsTest, TheNavigationFollowsAndBringsASceneSLastTab) {
     EXPECT_TRUE(checked(u"Inertia moments"_s));
     QTest::mouseClick(&bar(), Qt::LeftButton, {}, bar().tabRect(0).center());
     EXPECT_TRUE(checked(u"Balance shaft"_s));
-    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
     press(Qt::Key_4);
     press(Qt::Key_1);
-    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s)) << "the one shown last";
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s)) << "the one shown last";
     // A scene without a document gets its first.
     press(Qt::Key_2);
-    EXPECT_EQ(window.currentScene(), u"elastic-hinge"_s);
+    EXPECT_EQ(window->currentScene(), u"elastic-hinge"_s);
     EXPECT_EQ(bar().count(), 4);
     const QString hint = action(u"Elastic hinges"_s)->statusTip();
-    const auto labels = window.findChildren<QLabel*>();
+    const auto labels = window->findChildren<QLabel*>();
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
         return label->isVisible() && label->text() == hint;
     }));
@@ -180,14 +139,14 @@ TEST_F(DocumentsTest, TitlesAreOneLineInItsDirection) {
     for (const QString& name : {u"plain"_s, u"x\n\u202ey"_s}) {
         const QString path = folder.filePath(name + u".case.json"_s);
         test::writeFile(path, QByteArray::fromStdString(write_case(file).dump()));
-        ASSERT_EQ(window.openCase(path), QString());
-        const QString title = window.windowTitle();
+        ASSERT_EQ(window->openCase(path), QString());
+        const QString title = window->windowTitle();
         EXPECT_TRUE(title.contains(u"a b c [31md e[*][*]f"_s)) << qPrintable(title);
         EXPECT_EQ(model().titleShown(), shown);
         EXPECT_EQ(model().title().toStdString(), file.title) << "as the file has it";
-        window.showStart();
+        window->showStart();
         QStringList texts = tabs() + QStringList{title};
-        for (const auto* recent : window.findChildren<QAbstractButton*>(u"start-recent"_s)) {
+        for (const auto* recent : window->findChildren<QAbstractButton*>(u"start-recent"_s)) {
             texts << recent->text();
         }
         EXPECT_GT(texts.size(), tabs().size() + 1);
@@ -219,11 +178,11 @@ TEST_F(DocumentsTest, NewBeginsATabOfTheScene) {
     open(u"tmz-650d"_s);
     press(Qt::Key_N);
     EXPECT_EQ(bar().count(), 2);
-    EXPECT_FALSE(window.windowTitle().contains(u"tmz-650d"_s));
+    EXPECT_FALSE(window->windowTitle().contains(u"tmz-650d"_s));
     press(Qt::Key_N);
     ASSERT_EQ(bar().count(), 3);
     EXPECT_NE(bar().tabText(1), bar().tabText(2));
-    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+    EXPECT_EQ(window->currentScene(), u"balance-shaft"_s);
     press(Qt::Key_5);
     const int before = bar().count();
     press(Qt::Key_N);
@@ -233,8 +192,8 @@ TEST_F(DocumentsTest, NewBeginsATabOfTheScene) {
 TEST_F(DocumentsTest, NoCaseIsBegunFromABadOne) {
     CaseFile bad = CaseDocument::read(example(u"vr5-volkswagen"_s));
     bad.input = {{"cylinders", -1}};
-    EXPECT_NE(window.newCase(bad), QString());
-    EXPECT_FALSE(window.newCase(u"balance-shift"_s));
+    EXPECT_NE(window->newCase(bad), QString());
+    EXPECT_FALSE(window->newCase(u"balance-shift"_s));
 }
 
 TEST_F(DocumentsTest, ClosesByKeyByButtonAndByTheMiddleButton) {
@@ -244,22 +203,22 @@ TEST_F(DocumentsTest, ClosesByKeyByButtonAndByTheMiddleButton) {
     open(u"zotov-energy"_s);
     press(Qt::Key_W);
     EXPECT_EQ(tabs(), (QStringList{u"tmz-650d"_s, u"honda"_s, u"vr5-volkswagen"_s}));
-    EXPECT_TRUE(window.windowTitle().contains(u"vr5-volkswagen"_s)) << "the one shown before";
+    EXPECT_TRUE(window->windowTitle().contains(u"vr5-volkswagen"_s)) << "the one shown before";
     auto* button = qobject_cast<QAbstractButton*>(bar().tabButton(0, QTabBar::RightSide));
     ASSERT_NE(button, nullptr);
     QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_EQ(tabs(), (QStringList{u"honda"_s, u"vr5-volkswagen"_s}));
     QTest::mouseClick(&bar(), Qt::MiddleButton, {}, bar().tabRect(1).center());
-    EXPECT_EQ(window.documents().all().size(), 1U);
+    EXPECT_EQ(window->documents().all().size(), 1U);
     EXPECT_FALSE(bar().isVisible());
     // The last leaves the start page, not another engine's numbers as if they were one's own.
     press(Qt::Key_W);
-    EXPECT_TRUE(window.isAtStart());
-    EXPECT_FALSE(window.documents().hasCurrent());
+    EXPECT_TRUE(window->isAtStart());
+    EXPECT_FALSE(window->documents().hasCurrent());
     EXPECT_FALSE(action(u"Close case"_s)->isEnabled());
     open(u"honda"_s);
-    EXPECT_FALSE(window.isAtStart());
-    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
+    EXPECT_FALSE(window->isAtStart());
+    EXPECT_TRUE(window->windowTitle().contains(u"honda"_s));
 }
 
 TEST_F(DocumentsTest, TheEngineOfAnotherOpenCaseIsTakenAsOneStep) {
@@ -279,7 +238,7 @@ TEST_F(DocumentsTest, TheEngineOfAnotherOpenCaseIsTakenAsOneStep) {
     EXPECT_EQ(now.at("crank_radius_mm"), 41.0);
     EXPECT_EQ(now.at("lambda"), 0.25);
     EXPECT_NEAR(now.at("angular_speed_rad_s").get<double>(), speed, 1e-9);
-    const QString said = window.statusBar()->currentMessage();
+    const QString said = window->statusBar()->currentMessage();
     EXPECT_TRUE(said.contains(u"tmz-650d"_s) && said.contains(u"crank radius"_s))
         << said.toStdString();
     const int steps = model().history()->index();
@@ -296,19 +255,19 @@ TEST_F(DocumentsTest, ClosingAsksForItsOwnChangesAlone) {
     open(u"honda"_s);
     press(Qt::Key_W);
     EXPECT_TRUE(asked.isEmpty());
-    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
-    answer(QMessageBox::Cancel);
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
+    answer("Cancel");
     press(Qt::Key_W);
-    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
     EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
-    answer(QMessageBox::Discard);
+    answer("Don’t save");
     press(Qt::Key_W);
-    EXPECT_FALSE(window.windowTitle().contains(u"tmz-650d"_s));
+    EXPECT_FALSE(window->windowTitle().contains(u"tmz-650d"_s));
     ASSERT_EQ(asked.size(), 2);
     EXPECT_TRUE(asked[0].contains(u"tmz-650d.case.json"_s));
     open(u"honda"_s);
     set(u"shaft_angle_deg=78"_s);
-    answer(QMessageBox::Save);
+    answer("Save");
     press(Qt::Key_W);
     EXPECT_EQ(CaseDocument::read(example(u"honda"_s)).input.at("shaft_angle_deg"), 78);
 }
@@ -320,14 +279,14 @@ TEST_F(DocumentsTest, QuittingAsksForEachThatHasChanges) {
     open(u"honda"_s);
     set(u"shaft_angle_deg=78"_s);
     open(u"zotov-energy"_s);
-    answer(QMessageBox::Discard);
-    answer(QMessageBox::Cancel);
-    EXPECT_FALSE(window.close());
+    answer("Don’t save");
+    answer("Cancel");
+    EXPECT_FALSE(window->close());
     ASSERT_EQ(asked.size(), 2);
     EXPECT_TRUE(asked[0].contains(u"tmz-650d"_s));
     EXPECT_TRUE(asked[1].contains(u"honda"_s));
-    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s)) << "what was asked about";
-    EXPECT_EQ(window.documents().all().size(), 4U);
+    EXPECT_TRUE(window->windowTitle().contains(u"honda"_s)) << "what was asked about";
+    EXPECT_EQ(window->documents().all().size(), 4U);
 }
 
 TEST_F(DocumentsTest, OfManyFilesThatCannotBeOpenedOneMessageSaysSo) {
@@ -335,8 +294,8 @@ TEST_F(DocumentsTest, OfManyFilesThatCannotBeOpenedOneMessageSaysSo) {
     for (int i = 0; i < 300; ++i) {
         paths << folder.filePath(u"none%1.case.json"_s.arg(i));
     }
-    answer(QMessageBox::Ok);
-    window.openOrSayWhy(paths);
+    answer("OK");
+    window->openOrSayWhy(paths);
     ASSERT_EQ(asked.size(), 1);
     EXPECT_TRUE(asked[0].contains(u"none19.case.json"_s));
     EXPECT_FALSE(asked[0].contains(u"none20.case.json"_s));
@@ -351,9 +310,9 @@ TEST_F(DocumentsTest, TabsAreMovedByTheMouse) {
     test::drag(&bar(), from, bar().tabRect(2).center() + QPoint(20, 0));
     const QStringList moved{u"honda"_s, u"vr5-volkswagen"_s, u"tmz-650d"_s};
     EXPECT_TRUE(test::comes([&] { return tabs() == moved; }));
-    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
     press(Qt::Key_Tab);
-    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
+    EXPECT_TRUE(window->windowTitle().contains(u"honda"_s));
 }
 
 TEST_F(DocumentsTest, EveryFileThatIsDroppedOpens) {
@@ -361,10 +320,10 @@ TEST_F(DocumentsTest, EveryFileThatIsDroppedOpens) {
     files.setUrls({QUrl::fromLocalFile(example(u"tmz-650d"_s)),
                    QUrl::fromLocalFile(example(u"vr5-volkswagen"_s))});
     QDragEnterEvent enters(QPoint(300, 300), Qt::CopyAction, &files, Qt::LeftButton, {});
-    QApplication::sendEvent(&window, &enters);
+    QApplication::sendEvent(window.get(), &enters);
     EXPECT_TRUE(enters.isAccepted());
     QDropEvent drops(QPointF(300, 300), Qt::CopyAction, &files, Qt::LeftButton, {});
-    QApplication::sendEvent(&window, &drops);
+    QApplication::sendEvent(window.get(), &drops);
     EXPECT_EQ(tabs(), (QStringList{u"tmz-650d"_s, u"vr5-volkswagen"_s}));
 }
 
@@ -374,37 +333,37 @@ TEST_F(DocumentsTest, MethodsFollowTheCaseShownLastAndStayOnePage) {
     press(Qt::Key_Tab);
     const QString title = model().title();
     press(Qt::Key_5);
-    auto* page = qobject_cast<MethodsPage*>(window.currentPage());
+    auto* page = qobject_cast<MethodsPage*>(window->currentPage());
     ASSERT_NE(page, nullptr);
     ASSERT_TRUE(page->budget()->open().has_value());
     EXPECT_EQ(QString::fromStdString(page->budget()->open()->file.title), title);
     press(Qt::Key_1);
     press(Qt::Key_5);
-    EXPECT_EQ(window.currentPage(), page);
+    EXPECT_EQ(window->currentPage(), page);
 }
 
 TEST_F(DocumentsTest, AJobBegunFromAnExampleIsKnownByItsNumber) {
     const CaseFile v8 = CaseDocument::read(example(u"bob-weights-v8"_s));
-    ASSERT_EQ(window.newCase(v8), QString());
+    ASSERT_EQ(window->newCase(v8), QString());
     const QString title = QString::fromStdString(v8.title);
-    EXPECT_TRUE(window.windowTitle().startsWith(title));
+    EXPECT_TRUE(window->windowTitle().startsWith(title));
     set(u"job/customer=Smith"_s);
-    EXPECT_TRUE(window.windowTitle().startsWith(u"Smith[*]"_s));
+    EXPECT_TRUE(window->windowTitle().startsWith(u"Smith[*]"_s));
     set(u"job/engine_number=A-1"_s);
     press(Qt::Key_N);
     EXPECT_EQ(tabs().constFirst(), u"A-1 *"_s);
     press(Qt::Key_Tab);
-    EXPECT_TRUE(window.windowTitle().startsWith(u"A-1[*] – "_s + title));
+    EXPECT_TRUE(window->windowTitle().startsWith(u"A-1[*] – "_s + title));
 }
 
 TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
     const JobDesk* desk = keepJob();
-    const ScenePage* page = window.currentPage();
+    const ScenePage* page = window->currentPage();
     press(Qt::Key_N);
     QTest::qWait(100);
-    EXPECT_EQ(tabs(), (QStringList{u"A-1"_s, window.documents().currentScene().title}));
-    answer(QMessageBox::Yes);
-    test::whenModal<JournalDialog>(&window, [](JournalDialog* dialog) {
+    EXPECT_EQ(tabs(), (QStringList{u"A-1"_s, window->documents().currentScene().title}));
+    answer("Yes");
+    test::whenModal<JournalDialog>(window.get(), [](JournalDialog* dialog) {
         test::named<QAbstractButton>(*dialog, "journal_remove")->click();
         dialog->reject();
     });
@@ -422,25 +381,25 @@ TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
 TEST_F(DocumentsTest, TheJournalIsOpenedFromTheStartPage) {
     keepJob();
     press(Qt::Key_1);
-    window.showStart();
+    window->showStart();
     QTest::qWait(100);
     int listed = 0;
-    test::whenModal<JournalDialog>(&window, [&](JournalDialog* dialog) {
+    test::whenModal<JournalDialog>(window.get(), [&](JournalDialog* dialog) {
         listed = dialog->findChild<QTableWidget*>()->rowCount();
         dialog->reject();
     });
     press(Qt::Key_F3, {});
     EXPECT_TRUE(test::comes([&] { return listed == 1; }));
-    EXPECT_FALSE(window.isAtStart());
-    EXPECT_EQ(window.currentScene(), u"workshop"_s);
+    EXPECT_FALSE(window->isAtStart());
+    EXPECT_EQ(window->currentScene(), u"workshop"_s);
 }
 
 TEST_F(DocumentsTest, UndoSaysItsStep) {
     set(u"shaft_angle_deg=77"_s);
     press(Qt::Key_Z);
-    EXPECT_EQ(window.statusBar()->currentMessage(), u"Undone: Open case"_s);
+    EXPECT_EQ(window->statusBar()->currentMessage(), u"Undone: Open case"_s);
     press(Qt::Key_Y);
-    EXPECT_EQ(window.statusBar()->currentMessage(), u"Redone: Open case"_s);
+    EXPECT_EQ(window->statusBar()->currentMessage(), u"Redone: Open case"_s);
     EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
 }
 
@@ -448,12 +407,12 @@ TEST_F(DocumentsTest, AJobThatIsOpenInAnotherTabIsNotOpenedTwice) {
     const JobDesk* desk = keepJob();
     press(Qt::Key_N);
     QTest::qWait(100);
-    EXPECT_NE(window.currentPage()->findChild<JobDesk*>(), desk);
-    test::whenModal<JournalDialog>(&window, [](JournalDialog* dialog) {
+    EXPECT_NE(window->currentPage()->findChild<JobDesk*>(), desk);
+    test::whenModal<JournalDialog>(window.get(), [](JournalDialog* dialog) {
         QTest::keyClick(test::named<QLineEdit>(*dialog, "journal_search"), Qt::Key_Return);
     });
     press(Qt::Key_F3, {});
-    EXPECT_EQ(window.currentPage()->findChild<JobDesk*>(), desk);
+    EXPECT_EQ(window->currentPage()->findChild<JobDesk*>(), desk);
 }
 
 }  // namespace

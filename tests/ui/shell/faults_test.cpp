@@ -9,19 +9,13 @@
 #include <QFile>
 #include <QMessageBox>
 #include <QPrintDialog>
-#include <QTemporaryDir>
 #include <QTimer>
 #include <functional>
 
 #include "balance-shaft/model/balance_shaft_model.h"
-#include "events.h"
 #include "files.h"
 #include "full_disk.h"
-#include "model/case_document.h"
-#include "page/scene_page.h"
-#include "shell/documents.h"
-#include "shell/main_window.h"
-#include "shell/screenshot.h"
+#include "shell/window_test.h"
 #include "workshop/model/job_desk.h"
 
 namespace ravnoves {
@@ -29,23 +23,20 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-class Faults : public ::testing::Test {
+class Faults : public test::WindowTest {
   protected:
     Faults() {
         QDir().mkpath(QFileInfo(file).path());
         QFile::copy(u":/examples/tmz-650d.case.json"_s, file);
         QFile(file).setPermissions(QFile::ReadOwner | QFile::WriteOwner);
-        window.beginSession();
-        test::showAt(window, {1280, 800});
-        EXPECT_EQ(window.openCase(file), QString());
+        window->beginSession();
+        EXPECT_EQ(window->openCase(file), QString());
     }
 
     double angleInFile() const {
         return CaseDocument::read(file).input.value("shaft_angle_deg", 0.0);
     }
-    void change(int angle) {
-        ASSERT_EQ(applySetting(window, u"shaft_angle_deg=%1"_s.arg(angle)), QString());
-    }
+    void change(int angle) { set(u"shaft_angle_deg=%1"_s.arg(angle)); }
     /// Presses a key and returns the messages that come up, each answered with Escape.
     QString said(Qt::Key key, Qt::KeyboardModifiers modifiers) {
         QStringList texts;
@@ -58,15 +49,13 @@ class Faults : public ::testing::Test {
             QTimer::singleShot(20, &guard, look);
         };
         QTimer::singleShot(20, &guard, look);
-        test::pressIn(window, key, modifiers);
+        press(key, modifiers);
         QTest::qWait(400);
         return texts.join(u'\n');
     }
     QString saveSaid() { return said(Qt::Key_S, Qt::ControlModifier); }
 
-    QTemporaryDir folder;
     const QString file = folder.filePath(u"disk/saved.case.json"_s);
-    MainWindow window;
 };
 
 TEST_F(Faults, AFullDiskLeavesTheFileAsItWas) {
@@ -77,23 +66,23 @@ TEST_F(Faults, AFullDiskLeavesTheFileAsItWas) {
         QTest::qWait(900);  // nor is there room for a copy of what is not saved
         const QString trouble = saveSaid();
         EXPECT_TRUE(trouble.contains(u"saved.case.json"_s)) << trouble.toStdString();
-        EXPECT_TRUE(window.isWindowModified());
+        EXPECT_TRUE(window->isWindowModified());
     }
     EXPECT_EQ(test::contentOf(file), content);
     EXPECT_EQ(QFileInfo(file).dir().entryList(QDir::Files).size(), 1);
     change(78);
     EXPECT_EQ(saveSaid(), QString());
     EXPECT_EQ(angleInFile(), 78);
-    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_FALSE(window->isWindowModified());
 }
 
 TEST_F(Faults, AFullDiskKeepsTheJobOnTheSheet) {
-    ASSERT_TRUE(window.showScene(u"workshop"_s));
+    ASSERT_TRUE(window->showScene(u"workshop"_s));
     QTest::qWait(100);  // until the page is there for its keys
-    auto* desk = window.findChild<JobDesk*>();
+    auto* desk = window->findChild<JobDesk*>();
     ASSERT_NE(desk, nullptr);
     ASSERT_TRUE(desk->openJournal()) << desk->journalTrouble().toStdString();
-    ASSERT_EQ(applySetting(window, u"job/engine_number=53-11"_s), QString());
+    set(u"job/engine_number=53-11"_s);
     {
         const test::FullDisk full(512);
         const QString trouble = said(Qt::Key_F2, {});
@@ -111,19 +100,19 @@ TEST_F(Faults, AFolderThatVanishedIsSaidAndAnotherTaken) {
     change(77);
     QTest::qWait(900);
     const QString trouble = saveSaid();
-    EXPECT_TRUE(window.isWindowModified());
+    EXPECT_TRUE(window->isWindowModified());
     EXPECT_FALSE(trouble.isEmpty());
-    EXPECT_EQ(window.documents().current().document->saveTo(other), QString());
+    EXPECT_EQ(document().saveTo(other), QString());
     EXPECT_EQ(CaseDocument::read(other).input.value("shaft_angle_deg", 0.0), 77);
-    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_FALSE(window->isWindowModified());
 }
 
 TEST_F(Faults, WithoutAPrinterTheDialogsComeAndGo) {
-    ASSERT_TRUE(window.showScene(u"workshop"_s));
+    ASSERT_TRUE(window->showScene(u"workshop"_s));
     int dialogs = 0;
-    for (QAction* action : window.currentPage()->sceneActions()) {
+    for (QAction* action : window->currentPage()->sceneActions()) {
         if (action != nullptr && action->objectName() == u"print_card"_s) {
-            test::whenModal<QPrintDialog>(&window, [&](QPrintDialog* dialog) {
+            test::whenModal<QPrintDialog>(window.get(), [&](QPrintDialog* dialog) {
                 ++dialogs;
                 dialog->reject();
             });

@@ -7,15 +7,10 @@
 #include <QLineEdit>
 #include <QStatusBar>
 #include <QStatusTipEvent>
-#include <QTemporaryDir>
 
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
-#include "events.h"
-#include "page/scene_page.h"
-#include "pictures/file_dialogs.h"
-#include "shell/documents.h"
-#include "shell/main_window.h"
+#include "shell/window_test.h"
 #include "shop/model/journal.h"
 #include "text/file_path.h"
 
@@ -24,30 +19,18 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-class JobSavingTest : public ::testing::Test {
+class JobSavingTest : public test::WindowTest {
   protected:
     JobSavingTest() {
         for (const QString& part : {u""_s, u"-wal"_s, u"-shm"_s}) {
             QFile::remove(Journal::defaultPath() + part);
         }
-        fileChoosers().save = [this](QWidget*, const QString&, const QString&, const QString&,
-                                     QString*) {
-            ++filesAsked;
-            return file;
-        };
-        window = std::make_unique<MainWindow>();
-        test::showAt(*window, {1280, 800});
         window->showScene(u"workshop"_s);
     }
-    ~JobSavingTest() override { fileChoosers() = before; }
 
     void type(const char* name, const QString& text) {
         test::type(test::named<QLineEdit>(*window->currentPage(), name), text);
     }
-    void press(Qt::Key key, Qt::KeyboardModifiers more = {}) {
-        test::pressIn(*window, key, Qt::ControlModifier | more);
-    }
-    CaseDocument& document() { return *window->documents().current().document; }
     QString said() const { return window->statusBar()->currentMessage(); }
     QString savingTip() const {
         const QAction* save = test::actionOfKeys(*window, QKeySequence::Save);
@@ -69,12 +52,6 @@ class JobSavingTest : public ::testing::Test {
         }
         return found;
     }
-
-    FileChoosers before = fileChoosers();
-    QTemporaryDir folder;
-    QString file;  ///< what the file dialog answers
-    int filesAsked = 0;
-    std::unique_ptr<MainWindow> window;
 };
 
 TEST_F(JobSavingTest, TheKeySavesInTheJournalWhereThereIsNoFile) {
@@ -97,23 +74,23 @@ TEST_F(JobSavingTest, TheKeySavesInTheJournalWhereThereIsNoFile) {
 
 TEST_F(JobSavingTest, AFileIsSavedAsAFile) {
     type("engine_number", u"4712"_s);
-    file = folder.filePath(u"job.case.json"_s);
-    press(Qt::Key_S, Qt::ShiftModifier);
+    const QString path = file("job.case.json");
+    typed = QStringList{path};
+    press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(filesAsked, 1);
-    EXPECT_EQ(document().path(), file);
-    EXPECT_TRUE(savingTip().contains(file)) << savingTip().toStdString();
+    EXPECT_EQ(document().path(), path);
+    EXPECT_TRUE(savingTip().contains(path)) << savingTip().toStdString();
     type("engine_number", u"4713"_s);
     press(Qt::Key_S);
     EXPECT_EQ(filesAsked, 1);
     EXPECT_FALSE(document().needsSaving());
-    const Json written = parse_json(read_text_file(fsPath(file)));
+    const Json written = parse_json(read_text_file(fsPath(path)));
     EXPECT_EQ(written.at("scene"), "workshop");
     EXPECT_EQ(written.at("input").at("job").at("engine_number"), "4713");
     EXPECT_EQ(numbers(), QStringList());
     // Another page has no journal.
     window->showScene(u"elastic-hinge"_s);
     EXPECT_EQ(savingTip(), u"Save case (Ctrl+S)"_s);
-    file.clear();
     press(Qt::Key_S);
     EXPECT_EQ(filesAsked, 2);
 }
@@ -142,11 +119,12 @@ TEST_F(JobSavingTest, ThePointerHidesNoMessageOfSaving) {
     // What is done then is said at once, in the place of what was done before.
     press(Qt::Key_S);
     EXPECT_EQ(said(), saved);
-    file = folder.filePath(u"job.case.json"_s);
-    press(Qt::Key_S, Qt::ShiftModifier);
-    EXPECT_TRUE(said().contains(file)) << said().toStdString();
+    const QString path = file("job.case.json");
+    typed = QStringList{path};
+    press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(said().contains(path)) << said().toStdString();
     passOver({});
-    EXPECT_TRUE(said().contains(file));
+    EXPECT_TRUE(said().contains(path));
 }
 
 }  // namespace

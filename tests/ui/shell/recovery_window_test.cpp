@@ -9,27 +9,18 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QTabBar>
-#include <QTableView>
-#include <QTemporaryDir>
-#include <memory>
 
 #include "case-file/json.h"
-#include "events.h"
 #include "files.h"
-#include "model/case_document.h"
 #include "model/recovery.h"
-#include "page/scene_page.h"
-#include "shell/documents.h"
-#include "shell/main_window.h"
-#include "shell/screenshot.h"
+#include "shell/window_test.h"
 
 namespace ravnoves {
 namespace {
 
 using namespace Qt::StringLiterals;
 
-class NothingIsLost : public ::testing::Test {
+class NothingIsLost : public test::WindowTest {
   protected:
     NothingIsLost() {
         QDir(Recovery::defaultFolder()).removeRecursively();
@@ -37,17 +28,15 @@ class NothingIsLost : public ::testing::Test {
             QFile::copy(u":/examples/%1.case.json"_s.arg(QLatin1String(name)), file(name));
             QFile(file(name)).setPermissions(QFile::ReadOwner | QFile::WriteOwner);
         }
-        start();
+        window->beginSession();
     }
 
     QString file(const char* name) const {
         return folder.filePath(QLatin1String(name) + u".case.json"_s);
     }
     void start() {
-        window = std::make_unique<MainWindow>();
+        WindowTest::start();
         window->beginSession();
-        test::showAt(*window, {1280, 800});
-        window->activateWindow();
     }
     /// As kill -9 does: what was kept stays as it is.
     void crash() {
@@ -55,8 +44,6 @@ class NothingIsLost : public ::testing::Test {
         QApplication::processEvents();  // what was due while the machine was busy
         window.reset();
     }
-    void set(const QString& pair) { ASSERT_EQ(applySetting(*window, pair), QString()); }
-    SceneModel& model() { return *window->currentPage()->model(); }
     QMessageBox* offered() {
         window->offerRecovered();
         QApplication::processEvents();
@@ -90,19 +77,6 @@ class NothingIsLost : public ::testing::Test {
         ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
         set(u"shaft_angle_deg=77"_s);
     }
-    QStringList tabs() {
-        QStringList texts;
-        auto* bar = window->findChild<QTabBar*>(u"documents"_s);
-        for (int i = 0; i < bar->count(); ++i) {
-            texts << bar->tabText(i);
-        }
-        return texts;
-    }
-    /// The window comes to the front, and looks at its files.
-    void lookAgain() {
-        QEvent activated(QEvent::WindowActivate);
-        QApplication::sendEvent(&window->documents(), &activated);
-    }
     QWidget* notice() { return window->findChild<QWidget*>(u"disk_notice"_s); }
     void writeByOthers(const char* name, const QByteArray& from, const QByteArray& to) {
         QFile f(file(name));
@@ -113,14 +87,6 @@ class NothingIsLost : public ::testing::Test {
         f.resize(0);
         f.write(QByteArray(text).replace(from, to));
     }
-    /// Presses a button of the next message by its text.
-    void press(const QString& text) {
-        test::answerWith(window.get(), text, [this](const QString& said) { asked = said; });
-    }
-
-    QTemporaryDir folder;
-    std::unique_ptr<MainWindow> window;
-    QString asked;
 };
 
 TEST_F(NothingIsLost, ACrashLeavesEveryUnsavedCase) {
@@ -170,9 +136,9 @@ TEST_F(NothingIsLost, ACopyWhoseTableIsMissingStays) {
     ASSERT_TRUE(QFile::remove(table));
     start();
     ASSERT_NE(offered(), nullptr);
-    press(u"Cancel"_s);
+    answer("Cancel");
     choose(u"Restore"_s);
-    EXPECT_TRUE(asked.contains(u"torque.csv"_s)) << asked.toStdString();
+    EXPECT_TRUE(asked.value(0).contains(u"torque.csv"_s));
     EXPECT_EQ(QDir(Recovery::defaultFolder()).entryList({u"*.json"_s}).size(), 1)
         << "the copy stays";
 }
@@ -191,7 +157,7 @@ TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {
     });
     choose(u"Discard"_s);
     ASSERT_NE(window->findChild<QMessageBox*>(u"recovery"_s), nullptr) << "Enter is no yes";
-    press(u"Yes"_s);
+    answer("Yes");
     choose(u"Discard"_s);
     window.reset();
     start();
@@ -201,7 +167,7 @@ TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {
 TEST_F(NothingIsLost, ACleanEndLeavesNothing) {
     openAndChange();
     QTest::qWait(900);
-    press(u"Don’t save"_s);
+    answer("Don’t save");
     EXPECT_TRUE(window->close());
     window.reset();
     start();
@@ -233,7 +199,7 @@ TEST_F(NothingIsLost, AJobOfTheWorkshopComesBackWithItsFile) {
     afterACrash();
     choose(u"Restore"_s);
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-78");
-    EXPECT_EQ(window->documents().current().document->path(), path);
+    EXPECT_EQ(document().path(), path);
     EXPECT_TRUE(window->isWindowModified());
 }
 
@@ -289,11 +255,11 @@ TEST_F(NothingIsLost, SavingOverWhatOthersWroteAsks) {
     openAndChange();
     writeByOthers("tmz-650d", "100.15", "100.25");
     const auto written = [this] { return CaseDocument::read(file("tmz-650d")).input; };
-    press(u"Cancel"_s);
+    answer("Cancel");
     QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
-    EXPECT_TRUE(asked.contains(file("tmz-650d")));
+    EXPECT_TRUE(asked.value(0).contains(file("tmz-650d")));
     EXPECT_EQ(written().at("centre_distance_mm"), 100.25);
-    press(u"Overwrite"_s);
+    answer("Overwrite");
     test::pressIn(*window, Qt::Key_S);
     EXPECT_EQ(written().at("centre_distance_mm"), 100.15);
     EXPECT_EQ(written().at("shaft_angle_deg"), 77);

@@ -13,22 +13,15 @@
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTableView>
-#include <QTemporaryDir>
 #include <QToolTip>
 
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
-#include "events.h"
 #include "files.h"
-#include "model/case_document.h"
-#include "page/scene_page.h"
-#include "pictures/file_dialogs.h"
 #include "processor_time.h"
 #include "report/report_dialog.h"
 #include "shell/case_properties.h"
-#include "shell/documents.h"
-#include "shell/main_window.h"
-#include "shell/screenshot.h"
+#include "shell/window_test.h"
 #include "text/file_path.h"
 #include "widgets/number_field.h"
 #include "widgets/table_editor.h"
@@ -38,78 +31,41 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-class SavingTest : public ::testing::Test {
+class SavingTest : public test::WindowTest {
   protected:
-    SavingTest() {
-        fileChoosers().save = [this](QWidget*, const QString&, const QString&, const QString&,
-                                     QString*) {
-            return typed.isEmpty() ? QString() : typed.takeFirst();
-        };
-        fileChoosers().open = [this](QWidget*, const QString& title, const QString& folder,
-                                     const QString&) {
-            asked << title;
-            folders << folder;
-            return typed.isEmpty() ? QString() : typed.takeFirst();
-        };
-        test::showAt(window, {1280, 800});
-    }
-    ~SavingTest() override { fileChoosers() = before; }
-
-    QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
     static Json read(const QString& path) { return parse_json(read_text_file(fsPath(path))); }
-    SceneModel& model() { return *window.currentPage()->model(); }
-    /// Clicks a button of the next message box, by its words.
-    void answer(const char* button) {
-        test::answerWith(&window, QString::fromUtf8(button),
-                         [this](const QString& text) { asked << text; });
-    }
-    void press(Qt::Key key, Qt::KeyboardModifiers more = {}) {
-        test::pressIn(window, key, Qt::ControlModifier | more);
-    }
     /// Types what a field of the page in front rejects.
     void reject(const char* name, const char* text) {
-        auto* field = test::named<NumberField>(*window.currentPage(), name);
+        auto* field = test::named<NumberField>(*window->currentPage(), name);
         field->setFocus();
         field->selectAll();
         QTest::keyClick(field, Qt::Key_Delete);
         QTest::keyClicks(field, QString::fromUtf8(text));
         EXPECT_FALSE(field->trouble().isEmpty()) << name;
-        window.currentPage()->setFocus();
-    }
-    /// The window comes to the front, and looks at its files.
-    void lookAgain() {
-        QEvent activated(QEvent::WindowActivate);
-        QApplication::sendEvent(&window.documents(), &activated);
+        window->currentPage()->setFocus();
     }
     /// The example with its torque in a file beside it.
     QString caseWithTable(const char* folderName) {
         EXPECT_TRUE(QDir(folder.path()).mkpath(QString::fromUtf8(folderName)));
         const QString path = file(folderName) + QStringLiteral("/engine.case.json");
-        Json document = read(QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"));
-        document["title"] = "Mine";
-        const Json torque = document["input"]["torque"];
+        Json content = read(QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"));
+        content["title"] = "Mine";
+        const Json torque = content["input"]["torque"];
         std::string table;
         for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
             table +=
                 torque["crank_angle_deg"][i].dump() + "," + torque["torque_Nm"][i].dump() + "\n";
         }
         write_text_file(fsPath(file(folderName) + QStringLiteral("/момент.csv")), table);
-        document["input"]["torque"] = {{"csv", "момент.csv"}};
-        write_text_file(fsPath(path), document.dump());
+        content["input"]["torque"] = {{"csv", "момент.csv"}};
+        write_text_file(fsPath(path), content.dump());
         return path;
     }
-
-    FileChoosers before = fileChoosers();
-    QTemporaryDir folder;
-    QStringList typed;    ///< what the dialogs answer, in order
-    QStringList folders;  ///< in which they began
-    QStringList asked;
-    MainWindow window;
 };
 
 TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     press(Qt::Key_I);
-    auto* dialog = window.findChild<CaseProperties*>();
+    auto* dialog = window->findChild<CaseProperties*>();
     ASSERT_NE(dialog, nullptr);
     auto* title = test::named<QLineEdit>(*dialog, "case_title");
     EXPECT_EQ(title->text(), QStringLiteral("TMZ-650D"));
@@ -118,10 +74,11 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     QTest::keyClicks(notes, QStringLiteral("Measured on Monday"));
     QTest::keyClick(title, Qt::Key_Return);
     EXPECT_EQ(model().title(), QStringLiteral("My engine"));
-    EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("My engine")));
-    EXPECT_TRUE(window.isWindowModified());
-    ASSERT_EQ(window.documents().current().document->saveTo(file("мой.case.json")), QString());
-    EXPECT_TRUE(window.windowTitle().startsWith(QStringLiteral("мой.case.json[*] – My engine – ")));
+    EXPECT_TRUE(window->windowTitle().contains(QStringLiteral("My engine")));
+    EXPECT_TRUE(window->isWindowModified());
+    ASSERT_EQ(document().saveTo(file("мой.case.json")), QString());
+    EXPECT_TRUE(
+        window->windowTitle().startsWith(QStringLiteral("мой.case.json[*] – My engine – ")));
     const Json written = read(file("мой.case.json"));
     EXPECT_EQ(written.at("title"), "My engine");
     EXPECT_EQ(written.at("notes"), "Measured on Monday");
@@ -134,7 +91,7 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
 
 TEST_F(SavingTest, OfAPastedMegabyteTitleAndNotesTakeWhatSuitsThem) {
     press(Qt::Key_I);
-    auto* dialog = window.findChild<CaseProperties*>();
+    auto* dialog = window->findChild<CaseProperties*>();
     ASSERT_NE(dialog, nullptr);
     auto* title = test::named<QLineEdit>(*dialog, "case_title");
     auto* notes = test::named<QPlainTextEdit>(*dialog, "case_notes");
@@ -154,8 +111,8 @@ TEST_F(SavingTest, OfAPastedMegabyteTitleAndNotesTakeWhatSuitsThem) {
 }
 
 TEST_F(SavingTest, UndoTakesBackARejectedEntryWhereNothingElseIsToUndo) {
-    auto* field = test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
-    QAction* undo = test::actionOfKeys(window, QKeySequence::Undo);
+    auto* field = test::named<NumberField>(*window->currentPage(), "crank_radius_mm");
+    QAction* undo = test::actionOfKeys(*window, QKeySequence::Undo);
     const QString shown = field->text();
     test::typeOver(field, QStringLiteral("-7"));
     QTest::keyClick(field, Qt::Key_Tab);
@@ -170,11 +127,11 @@ TEST_F(SavingTest, UndoTakesBackARejectedEntryWhereNothingElseIsToUndo) {
     // All that is rejected, wherever it stands; then what was changed before it.
     ASSERT_EQ(model().editField("/crank_radius_mm", 50.0, u"r"_s), QString());
     reject("speed_rpm", "abc");
-    auto* table = window.currentPage()->findChild<TableEditor*>();
+    auto* table = window->currentPage()->findChild<TableEditor*>();
     table->view()->model()->setData(table->view()->model()->index(5, 1), QStringLiteral("x"));
     undo->trigger();
     EXPECT_TRUE(table->trouble().isEmpty());
-    EXPECT_EQ(test::named<NumberField>(*window.currentPage(), "speed_rpm")->trouble(), QString());
+    EXPECT_EQ(test::named<NumberField>(*window->currentPage(), "speed_rpm")->trouble(), QString());
     EXPECT_EQ(model().inputJson().at("crank_radius_mm"), 50.0);
     undo->trigger();
     EXPECT_EQ(field->text(), shown);
@@ -183,30 +140,30 @@ TEST_F(SavingTest, UndoTakesBackARejectedEntryWhereNothingElseIsToUndo) {
 
 TEST_F(SavingTest, ClosingAsksWhereNothingButARejectedEntryStands) {
     const QString path = caseWithTable("a");
-    ASSERT_EQ(window.openCase(path), QString());
+    ASSERT_EQ(window->openCase(path), QString());
     reject("crank_radius_mm", "-5");
-    ASSERT_FALSE(window.isWindowModified());
+    ASSERT_FALSE(window->isWindowModified());
     answer("Stay");
     press(Qt::Key_W);
     ASSERT_EQ(asked.size(), 1);
     EXPECT_TRUE(asked[0].contains(QStringLiteral("Crank radius"))) << asked[0].toStdString();
-    EXPECT_EQ(test::named<NumberField>(*window.currentPage(), "crank_radius_mm")->text(),
+    EXPECT_EQ(test::named<NumberField>(*window->currentPage(), "crank_radius_mm")->text(),
               QStringLiteral("-5"));
     answer("Stay");
-    EXPECT_FALSE(window.close());
+    EXPECT_FALSE(window->close());
     EXPECT_EQ(asked.size(), 2);
     answer("Continue without them");
     press(Qt::Key_W);
     EXPECT_EQ(asked.size(), 3);
-    EXPECT_NE(window.windowTitle().indexOf(QStringLiteral("Ravnoves")), -1);
+    EXPECT_NE(window->windowTitle().indexOf(QStringLiteral("Ravnoves")), -1);
 }
 
 TEST_F(SavingTest, ReturnDoesNotCancelAReport) {
     const QString path = folder.filePath(u"report.html"_s);
     fileChoosers().save = [&](auto...) { return path; };
     bool isCancelled = true;
-    test::whenModal<ReportDialog>(&window, [](ReportDialog* dialog) { dialog->accept(); });
-    test::whenModal<QProgressDialog>(&window, [&](QProgressDialog* dialog) {
+    test::whenModal<ReportDialog>(window.get(), [](ReportDialog* dialog) { dialog->accept(); });
+    test::whenModal<QProgressDialog>(window.get(), [&](QProgressDialog* dialog) {
         QTest::keyClick(dialog->findChild<QPushButton*>(), Qt::Key_Return);
         isCancelled = dialog->wasCanceled();
         dialog->cancel();
@@ -214,13 +171,13 @@ TEST_F(SavingTest, ReturnDoesNotCancelAReport) {
     press(Qt::Key_R);
     EXPECT_FALSE(isCancelled);
     EXPECT_FALSE(QFile::exists(path));
-    EXPECT_TRUE(window.statusBar()->currentMessage().contains(u"not written"_s));
+    EXPECT_TRUE(window->statusBar()->currentMessage().contains(u"not written"_s));
 }
 
 TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
     const auto dialog = [this] {
         press(Qt::Key_I);
-        return window.findChildren<CaseProperties*>().constLast();
+        return window->findChildren<CaseProperties*>().constLast();
     };
     CaseProperties* open = dialog();
     QTest::keyClick(open, Qt::Key_Escape);  // nothing was typed: nothing is asked
@@ -251,12 +208,12 @@ TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
 
 TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     const QString path = caseWithTable("a");
-    ASSERT_EQ(window.openCase(path), QString());
+    ASSERT_EQ(window->openCase(path), QString());
     const std::string before = read_text_file(fsPath(path));
     reject("crank_radius_mm", "abc");
     reject("speed_rpm", "");
     reject("backlash_mm", "-5");  // on a tab that is not in front
-    QAbstractItemModel* cells = window.currentPage()->findChild<TableEditor*>()->view()->model();
+    QAbstractItemModel* cells = window->currentPage()->findChild<TableEditor*>()->view()->model();
     cells->setData(cells->index(5, 1), QStringLiteral("xyz"));
     answer("Stay");
     press(Qt::Key_S);
@@ -277,43 +234,43 @@ TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     EXPECT_EQ(read(path).at("input").at("crank_radius_mm"),
               parse_json(before).at("input").at("crank_radius_mm"));
     // Those of another case are not asked for.
-    ASSERT_TRUE(window.newCase(QStringLiteral("balance-shaft")));
+    ASSERT_TRUE(window->newCase(QStringLiteral("balance-shaft")));
     typed = QStringList{file("new.case.json")};
     press(Qt::Key_S);
     EXPECT_EQ(asked.size(), 3);
     EXPECT_TRUE(QFile::exists(file("new.case.json")));
-    EXPECT_TRUE(window.statusBar()->currentMessage().contains(QStringLiteral("new.case.json")));
+    EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("new.case.json")));
 }
 
 TEST_F(SavingTest, WhatCannotBeSavedInItsPlaceIsSavedElsewhere) {
     const QString path = caseWithTable("a");
-    ASSERT_EQ(window.openCase(path), QString());
+    ASSERT_EQ(window->openCase(path), QString());
     ASSERT_TRUE(QFile(path).setPermissions(QFile::ReadOwner));
-    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=70")), QString());
+    set(QStringLiteral("shaft_angle_deg=70"));
     typed = QStringList{file("mine")};
     answer("Save as…");
     press(Qt::Key_S);
     ASSERT_EQ(asked.size(), 1);
     EXPECT_TRUE(asked[0].startsWith(path)) << asked[0].toStdString();
-    EXPECT_EQ(window.documents().current().document->path(), file("mine.case.json"));
-    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_EQ(document().path(), file("mine.case.json"));
+    EXPECT_FALSE(window->isWindowModified());
 }
 
 TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRejected) {
     const QString path = caseWithTable("a");
-    ASSERT_EQ(window.openCase(path), QString());
+    ASSERT_EQ(window->openCase(path), QString());
     const auto radius = [this] {
-        return test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
+        return test::named<NumberField>(*window->currentPage(), "crank_radius_mm");
     };
     const QString text = radius()->text();
     const auto isBack = [&] {
         EXPECT_EQ(radius()->text(), text);
         EXPECT_EQ(radius()->trouble(), QString());
     };
-    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=70")), QString());
+    set(QStringLiteral("shaft_angle_deg=70"));
     reject("crank_radius_mm", "abc");
     // Another value alone does not.
-    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=80")), QString());
+    set(QStringLiteral("shaft_angle_deg=80"));
     EXPECT_EQ(radius()->text(), QStringLiteral("abc"));
     // What is rejected is the newest: undo takes back that alone.
     const int steps = model().history()->index();
@@ -330,7 +287,7 @@ TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRejected) {
     EXPECT_EQ(model().takeVariant(0), QString());
     isBack();
     reject("crank_radius_mm", "abc");
-    EXPECT_EQ(window.documents().current().document->reload(), QString());
+    EXPECT_EQ(document().reload(), QString());
     isBack();
 }
 
@@ -338,7 +295,7 @@ TEST_F(SavingTest, AFileThatTheSavedCaseReadsIsNotWrittenOver) {
     const QString table = file("a/момент.csv");
     const QString path = caseWithTable("a");
     EXPECT_EQ(sourceTrouble(table), QString());
-    ASSERT_EQ(window.openCase(path), QString());
+    ASSERT_EQ(window->openCase(path), QString());
     EXPECT_NE(sourceTrouble(table), QString());
     // The case has numbers of its own now; its file still reads the table.
     Json input = model().inputJson();
@@ -350,15 +307,15 @@ TEST_F(SavingTest, AFileThatTheSavedCaseReadsIsNotWrittenOver) {
 }
 
 TEST_F(SavingTest, ACaseWithATableOfItsOwnSurvivesAnotherFolder) {
-    ASSERT_EQ(window.openCase(caseWithTable("папка")), QString());
+    ASSERT_EQ(window->openCase(caseWithTable("папка")), QString());
     const Json result = model().resultJson();
     const QString copy = file("other.case.json");
-    ASSERT_EQ(window.documents().current().document->saveTo(copy), QString());
+    ASSERT_EQ(document().saveTo(copy), QString());
     EXPECT_EQ(read(copy).at("input").at("torque").at("csv"), "папка/момент.csv");
     // Saved again in a third place, then opened there.
     ASSERT_TRUE(QDir(folder.path()).mkpath(QStringLiteral("x/y")));
     const QString deep = file("x/y/deep.case.json");
-    ASSERT_EQ(window.documents().current().document->saveTo(deep), QString());
+    ASSERT_EQ(document().saveTo(deep), QString());
     EXPECT_EQ(read(deep).at("input").at("torque").at("csv"), "../../папка/момент.csv");
     MainWindow other;
     ASSERT_EQ(other.openCase(deep), QString());
@@ -369,7 +326,7 @@ TEST_F(SavingTest, AMissingTableIsLookedForWithTheUser) {
     const QString path = caseWithTable("a");
     ASSERT_TRUE(QDir(folder.path()).mkpath(QStringLiteral("b")));
     ASSERT_TRUE(QFile::rename(file("a/момент.csv"), file("b/there.csv")));
-    const QString trouble = window.openCase(path);
+    const QString trouble = window->openCase(path);
     EXPECT_TRUE(trouble.contains(QStringLiteral("момент.csv"))) << trouble.toStdString();
     write_text_file(fsPath(file("b/wrong.csv")), "nothing\n");
     typed = QStringList{path, file("b/wrong.csv"), file("b/there.csv")};
@@ -386,16 +343,16 @@ TEST_F(SavingTest, AMissingTableIsLookedForWithTheUser) {
     }
     EXPECT_EQ(folders.constLast(), QFileInfo(path).absolutePath()) << "where the case is";
     EXPECT_EQ(model().title(), QStringLiteral("Mine"));
-    EXPECT_TRUE(window.isWindowModified());
-    ASSERT_EQ(window.documents().current().document->saveTo(path), QString());
-    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_TRUE(window->isWindowModified());
+    ASSERT_EQ(document().saveTo(path), QString());
+    EXPECT_FALSE(window->isWindowModified());
     MainWindow other;
     EXPECT_EQ(other.openCase(path), QString());
 }
 
 TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
-    ASSERT_EQ(window.openCase(caseWithTable("a")), QString());
-    auto* notice = window.findChild<QWidget*>(QStringLiteral("disk_notice"));
+    ASSERT_EQ(window->openCase(caseWithTable("a")), QString());
+    auto* notice = window->findChild<QWidget*>(QStringLiteral("disk_notice"));
     const auto isSaid = [&] { return notice->isVisible(); };
     const Json before = model().resultJson();
     const QString table = file("a/момент.csv");

@@ -6,17 +6,13 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLineEdit>
-#include <QMessageBox>
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
-#include "events.h"
 #include "files.h"
-#include "page/scene_page.h"
 #include "scene_tests.h"
-#include "shell/documents.h"
-#include "shell/main_window.h"
 #include "shell/start_page.h"
+#include "shell/window_test.h"
 #include "shop/model/journal.h"
 
 namespace ravnoves {
@@ -24,19 +20,15 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-class StartJobsTest : public ::testing::Test {
+class StartJobsTest : public test::WindowTest {
   protected:
-    StartJobsTest() {
-        forget();
-        window = std::make_unique<MainWindow>(MainWindow::First::Nothing);
-        test::showAt(*window, {1280, 800});
-    }
+    StartJobsTest() : WindowTest(MainWindow::First::Nothing) { forget(); }
     ~StartJobsTest() override {
         window.reset();
         forget();
     }
-    static QDir folder() { return QFileInfo(Journal::defaultPath()).dir(); }
-    static void forget() { folder().removeRecursively(); }
+    static QDir journalFolder() { return QFileInfo(Journal::defaultPath()).dir(); }
+    static void forget() { journalFolder().removeRecursively(); }
 
     /// As the page Workshop keeps them.
     void keep(const QString& number, const QDate& day, bool isFinished, const QString& verdict) {
@@ -79,8 +71,6 @@ class StartJobsTest : public ::testing::Test {
     QString numberOnSheet() const {
         return test::named<QLineEdit>(*window->currentPage(), "engine_number")->text();
     }
-
-    std::unique_ptr<MainWindow> window;
 };
 
 TEST_F(StartJobsTest, WithoutAJournalThereIsNothing) {
@@ -91,13 +81,13 @@ TEST_F(StartJobsTest, WithoutAJournalThereIsNothing) {
 }
 
 TEST_F(StartJobsTest, WhatCannotBeOpenedIsPassedOverAndStaysAsItIs) {
-    ASSERT_TRUE(folder().mkpath(u"."_s));
+    ASSERT_TRUE(journalFolder().mkpath(u"."_s));
     test::writeFile(Journal::defaultPath(), QByteArray(5000, 'x'));
     showStart();
     EXPECT_TRUE(jobs().isEmpty());
     EXPECT_FALSE(journalButton()->isVisible());
     EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
-    EXPECT_EQ(folder().entryList(QDir::Files), QStringList{u"journal.sqlite"_s});
+    EXPECT_EQ(journalFolder().entryList(QDir::Files), QStringList{u"journal.sqlite"_s});
     EXPECT_EQ(test::contentOf(Journal::defaultPath()), QByteArray(5000, 'x'));
 }
 
@@ -136,7 +126,7 @@ TEST_F(StartJobsTest, AClickBringsTheJobOntoTheSheet) {
     EXPECT_FALSE(window->isAtStart());
     EXPECT_EQ(window->currentScene(), u"workshop"_s);
     EXPECT_EQ(numberOnSheet(), u"N5"_s);
-    EXPECT_FALSE(window->documents().current().document->needsSaving());
+    EXPECT_FALSE(document().needsSaving());
 
     // The one on the sheet is shown with what was changed in it.
     test::type(test::named<QLineEdit>(*window->currentPage(), "customer"), u"Ivanov"_s);
@@ -145,13 +135,9 @@ TEST_F(StartJobsTest, AClickBringsTheJobOntoTheSheet) {
     EXPECT_EQ(test::named<QLineEdit>(*window->currentPage(), "customer")->text(), u"Ivanov"_s);
     // Before another takes its place it is asked for.
     showStart();
-    QString asked;
-    test::whenModal<QMessageBox>(window.get(), [&](QMessageBox* box) {
-        asked = box->text();
-        box->button(QMessageBox::Discard)->click();
-    });
+    answer("Don’t save");
     job(0)->click();
-    EXPECT_TRUE(asked.contains(u"N5"_s)) << asked.toStdString();
+    EXPECT_TRUE(asked.value(0).contains(u"N5"_s));
     EXPECT_EQ(numberOnSheet(), u"N7"_s);
 }
 
