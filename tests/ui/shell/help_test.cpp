@@ -9,7 +9,6 @@
 
 #include "events.h"
 #include "processor_time.h"
-#include "shell/help_pages.h"
 #include "shell/help_window.h"
 #include "shell/scene_list.h"
 #include "text/language.h"
