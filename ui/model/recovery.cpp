@@ -197,35 +197,28 @@ QFileInfoList Recovery::leftFiles() const {
     return files;
 }
 
-bool Recovery::isLeft(const QString& name, Locks& locks) const {
+bool Recovery::isLeft(const QString& name) const {
     const QString session = name.left(sessionLength);
     if (session == session_) {
         return true;
     }
-    const auto [at, isNew] = locks.try_emplace(session);
-    if (isNew) {
-        const QString path = QDir(folder_).filePath(session + lockEnding);
-        if (const QFileInfo there(path); there.exists() && !there.isFile()) {
-            QFile::remove(path);  // a pipe, which would be waited for
-        }
-        auto lock = std::make_unique<QLockFile>(path);
-        lock->setStaleLockTime(0);
-        // Where nothing can be written it cannot be locked: nobody has it all the same.
-        if (lock->tryLock(0) || lock->error() != QLockFile::LockFailedError) {
-            at->second = std::move(lock);
-        }
+    const QString path = QDir(folder_).filePath(session + lockEnding);
+    if (const QFileInfo there(path); there.exists() && !there.isFile()) {
+        QFile::remove(path);  // a pipe, which would be waited for
     }
-    return at->second != nullptr;
+    QLockFile lock(path);
+    lock.setStaleLockTime(0);
+    // Where nothing can be written it cannot be locked: nobody has it all the same.
+    return lock.tryLock(0) || lock.error() != QLockFile::LockFailedError;
 }
 
 /// Takes the files over under names of its own, so that no other lock has to be held.
 Recovery::Found Recovery::leftBehind() {
     Found found;
-    Locks locks;
     const QDir folder(folder_);
     // Those that killed programs have left go with it.
     for (const QString& name : folder.entryList({QLatin1Char('*') + lockEnding}).mid(0, maximum)) {
-        isLeft(name, locks);
+        isLeft(name);
     }
     isLocked();
     qint64 read = 0;
@@ -234,13 +227,16 @@ Recovery::Found Recovery::leftBehind() {
         if (files >= maximum || read >= maxRead) {
             break;
         }
-        if (!isLeft(left.fileName(), locks)) {
+        if (!isLeft(left.fileName())) {
             continue;  // that program runs
         }
         ++files;
         read += left.size();
         QString file = newFile();
         if (!QFile::rename(left.filePath(), file)) {
+            if (!QFile::exists(left.filePath())) {
+                continue;  // another program was faster
+            }
             file = left.filePath();
         }
         try {

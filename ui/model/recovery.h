@@ -10,8 +10,6 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <map>
-#include <memory>
 
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
@@ -84,14 +82,12 @@ class Recovery : public QObject {
         QTimer* timer;
     };
 
-    /// Locks of the programs whose files are looked at; null: it runs.
-    using Locks = std::map<QString, std::unique_ptr<QLockFile>>;
-
     bool isLocked();
     void forget(Watched& watched);
     QString newFile();
     QFileInfoList leftFiles() const;
-    bool isLeft(const QString& name, Locks& locks) const;
+    /// Of a program that does not run, whose lock goes then.
+    bool isLeft(const QString& name) const;
 
     QString folder_;
     QString session_;
