@@ -483,6 +483,10 @@
         <translation>Результат устарел: недопустимые значения: %1</translation>
     </message>
     <message>
+        <source>Not accepted, the previous value is used: %1</source>
+        <translation>Не принято, используется прежнее значение: %1</translation>
+    </message>
+    <message>
         <source>Options by cost</source>
         <translation>Варианты по стоимости</translation>
     </message>
@@ -11018,6 +11022,10 @@ but no position is feasible</source>
     <message>
         <source>Actual drilling</source>
         <translation>Фактически</translation>
+    </message>
+    <message>
+        <source>The planned values were replaced; Undo restores them.</source>
+        <translation>Значения плана заменены; отмена вернёт их.</translation>
     </message>
     <message>
         <source>None yet. The plan appears here after the next run.</source>

@@ -47,7 +47,10 @@ void drawShop(CardPage& page, const Shop& shop) {
 QString WorkshopCard::otherRejectedText() const {
     QStringList others = rejected_;
     others.removeIf([this](const QString& each) { return rejectedOfResult_.contains(each); });
-    return rejectedNote(words_, others);
+    return others.isEmpty()
+               ? QString()
+               : words_.translate("JobCard", "Not accepted, the previous value is used: %1")
+                     .arg(others.join(QLatin1Char(' ')));
 }
 
 double WorkshopCard::continueOn(CardPage& page) const {

@@ -310,17 +310,24 @@ void CorrectionSheet::addHoleRow() {
         holes_->addWidget(widgets[column], at, column);
     }
     followPlanes(plane);
-    follow([this, row, name, state, widgets] {
+    follow([this, row, name, state, widgets, hint = state->toolTip()] {
         const DrilledHole* hole = holeAt(model_->input(), row);
         for (QWidget* each : widgets) {
             each->setVisible(hole != nullptr);
         }
         if (hole != nullptr) {
-            // What was measured is in the plan's place: undo alone brings the plan back.
-            qobject_cast<QStandardItemModel*>(state->model())
-                ->item(static_cast<int>(HoleState::as_planned))
-                ->setEnabled(hole->state == HoleState::as_planned ||
-                             (hole->mass && hole->state != HoleState::measured));
+            // What was measured is in the plan's place; where a slug's own mass is not recorded,
+            // any other state may have it.
+            const bool isPlanned = hole->state == HoleState::as_planned ||
+                                   (hole->mass && hole->state != HoleState::measured &&
+                                    (hole->slug || !hole->is_slug()));
+            QStandardItem* asPlanned = qobject_cast<QStandardItemModel*>(state->model())
+                                           ->item(static_cast<int>(HoleState::as_planned));
+            asPlanned->setEnabled(isPlanned);
+            asPlanned->setToolTip(
+                isPlanned ? QString()
+                          : tr("The planned values were replaced; Undo restores them."));
+            state->setToolTip(isPlanned ? hint : hint + QLatin1Char('\n') + asPlanned->toolTip());
             name->setText(model_->drilledName(holePlaces(model_->input())[row].run, *hole));
         }
     });

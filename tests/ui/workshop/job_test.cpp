@@ -1037,13 +1037,22 @@ TEST_F(ReadJobTest, WhatIsZeroNeedsNoAngle) {
     EXPECT_EQ(field("angle_1")->placeholderText(), u"required"_s);
 }
 
-TEST_F(CardJobTest, ARejectedDateLeavesTheAnswerUpToDate) {
-    type("date", u"31.02.2024"_s);
-    EXPECT_FALSE(find<CheckedField>("date")->trouble().isEmpty());
-    EXPECT_TRUE(label("rejected").isEmpty()) << qPrintable(label("rejected"));
-    EXPECT_FALSE(isAmber("headline"));
-    type("date", u"2024-02-29"_s);
-    EXPECT_TRUE(find<CheckedField>("date")->trouble().isEmpty());
+TEST_F(CardJobTest, ARejectedEntryThatNoResultNeedsLeavesTheAnswerUpToDate) {
+    const QString file = QDir(folder.path()).filePath(u"card.pdf"_s);
+    for (const auto& [name, wrong, right] : {std::tuple("date", u"31.02.2024"_s, u"2024-02-29"_s),
+                                             std::tuple("planes", u"left"_s, u"left / right"_s)}) {
+        type(name, wrong);
+        const QString trouble = find<CheckedField>(name)->trouble();
+        EXPECT_FALSE(trouble.isEmpty());
+        EXPECT_TRUE(label("rejected").isEmpty()) << qPrintable(label("rejected"));
+        EXPECT_FALSE(isAmber("headline"));
+        ASSERT_EQ(page.writeCard(file), QString());
+        const QString printed = textOfPdf(file).simplified();
+        EXPECT_FALSE(has(printed, u"outdated"_s));
+        EXPECT_TRUE(has(printed, u"Not accepted, the previous value is used: "_s));
+        type(name, right);
+        EXPECT_TRUE(find<CheckedField>(name)->trouble().isEmpty());
+    }
 }
 
 TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
@@ -1417,6 +1426,29 @@ TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     const Json kept = model->inputJson();
     model->newJob();
     EXPECT_EQ(model->inputJson().at("machine"), kept.at("machine")) << "the next job's, too";
+}
+
+TEST_F(ReadJobTest, NamesOfThePlanesMoveNoReading) {
+    typeRun(1, {u"900"_s, u"73"_s, u"100"_s, u"210"_s});
+    const Correction before = *model->input().correction;
+    const auto shown = [this] {
+        QStringList texts;
+        for (const char* name : {"position_1", "radius_2", "unbalance_1", "angle_1", "unbalance_2",
+                                 "angle_2", "run_1_unbalance_1", "run_1_unbalance_2"}) {
+            texts << field(name)->text();
+        }
+        return texts;
+    };
+    const QStringList typed = shown();
+    const double hole = (*model->solution().correction)[0].unbalance;
+    for (const char* names : {"rear / front", "2 / 1", "pulley / flywheel"}) {
+        type("planes", QString::fromLatin1(names));
+        EXPECT_EQ(*model->input().correction, before) << names;
+        EXPECT_EQ(shown(), typed) << names;
+        EXPECT_EQ((*model->solution().correction)[0].unbalance, hole) << names;
+    }
+    EXPECT_TRUE(begins(field("unbalance_1")->accessibleName(), u"Before, Pulley: "_s));
+    EXPECT_EQ(find<QComboBox>("drilled_plane_1")->currentText(), u"Pulley"_s);
 }
 
 TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {

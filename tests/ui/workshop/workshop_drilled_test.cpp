@@ -82,6 +82,8 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
     EXPECT_NE(plan(), before);
     // Its plan is typed over: undo brings it back, no word does.
     EXPECT_FALSE(isAsPlannedOffered());
+    const QString why = u"Undo restores them."_s;
+    EXPECT_TRUE(has(find<QComboBox>("drilled_state_1")->toolTip(), why));
     // A rejected depth stands where any rejected entry does.
     const double planned = hole(0).depth;
     type("drilled_depth_1", u"5x"_s);
@@ -103,6 +105,20 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
     }
     EXPECT_EQ(plan(), before);
     EXPECT_TRUE(isAsPlannedOffered());
+    EXPECT_FALSE(has(find<QComboBox>("drilled_state_1")->toolTip(), why));
+}
+
+TEST_F(DrilledTest, ASlugOfUnknownMassIsNotAsPlannedOnceItsDepthIsTyped) {
+    Json input = workshop::test::card();
+    input["correction"]["earlier_runs"] = parse_json(
+        R"([{"drilled": [{"plane": "front", "diameter_mm": 20, "depth_mm": 12, "angle_deg": 220,
+                          "removed_g": -30}]}])");
+    model->loadInput(input, {});
+    EXPECT_TRUE(isAsPlannedOffered());
+    choose("drilled_state_1", HoleState::wrong_side);
+    type("drilled_depth_1", u"9"_s);
+    EXPECT_EQ(hole(0).depth, 9 * units::mm);
+    EXPECT_FALSE(isAsPlannedOffered());
 }
 
 TEST_F(DrilledTest, ADepthTypedOnTheWrongSideIsNotAsPlannedAfterwards) {
