@@ -28,10 +28,6 @@ ResultColumns numbered(const ResultColumn& first, std::size_t count) {
 
 }  // namespace
 
-const shop::Matched* WorkshopModel::placing() const {
-    return solution().placing && weighAgain().isEmpty() ? &*solution().placing : nullptr;
-}
-
 bool WorkshopModel::isOriginUnknown() const {
     return input().weigh_in->is_moved() && !canMoveBack();
 }
@@ -170,7 +166,7 @@ Results WorkshopModel::assignmentResults(const Words& words) const {
         return {};
     }
     const shop::Matched& matched = *placing();
-    const shop::WeighIn sheet = *bob_weights::fitted(input()).weigh_in;
+    const shop::WeighIn& sheet = *solved().sheet;
     const auto row = [](const QString& name, const shop::SetNumbers& numbers,
                         const std::vector<int>& from, const QString& tip) {
         ResultRow cells({name}, tip);
@@ -193,28 +189,12 @@ Results WorkshopModel::assignmentResults(const Words& words) const {
 }
 
 QString WorkshopModel::weighAgain(const Words& words) const {
-    const auto weighed = bob_weights::fitted(input()).weigh_in;
-    if (!weighed) {
-        return {};
-    }
-    const shop::WeighIn& sheet = *weighed;
     QStringList parts;
-    const auto swapped =
-        shop::swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
-    for (const Part part : shop::all_parts) {
-        if (!swapped.empty() && (part == Part::rod_big_end || part == Part::rod_small_end)) {
-            continue;  // whole rods are named below
-        }
-        if (const auto odd = shop::odd_mass(sheet[part].nominal, sheet[part].mass)) {
-            for (const std::size_t cylinder : odd->cylinders()) {
-                parts << words.translate("Workshop", "%1 of cylinder %2")
-                             .arg(inSentence(words.text(shop::part_word(part).label)))
-                             .arg(cylinder + 1);
-            }
-        }
-    }
-    for (const std::size_t cylinder : swapped) {
-        parts << words.translate("Workshop", "rod of cylinder %1").arg(cylinder + 1);
+    for (const auto& [part, cylinder] : solved().unlikely) {
+        parts << (part ? words.translate("Workshop", "%1 of cylinder %2")
+                             .arg(inSentence(words.text(shop::part_word(*part).label)))
+                       : words.translate("Workshop", "rod of cylinder %1"))
+                     .arg(cylinder + 1);
     }
     return parts.isEmpty() ? QString()
                            : words.translate("Workshop", "Weigh again first: %1.")
@@ -222,11 +202,10 @@ QString WorkshopModel::weighAgain(const Words& words) const {
 }
 
 Results WorkshopModel::takeOffResults(const Words& words) const {
-    const auto weighed = bob_weights::fitted(input()).weigh_in;
-    if (!weighed) {
+    if (!solved().sheet) {
         return {};
     }
-    shop::WeighIn sheet = *weighed;
+    shop::WeighIn sheet = *solved().sheet;
     const bool isMoved = sheet.is_moved();
     if (isMoved) {
         move_back(sheet);  // the number of a part is that of the cylinder that it was weighed in

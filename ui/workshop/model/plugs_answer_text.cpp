@@ -270,7 +270,7 @@ QString WorkshopModel::optionTip(const SolvedOption& option) const {
 
 Results WorkshopModel::crankpinResults() const {
     const auto& placing = solution().placing;
-    if (plugs() == nullptr || !placing || !weighAgain().isEmpty()) {
+    if (plugs() == nullptr || !placing) {
         return {};
     }
     const double mean = plugs()->weighed_excess.value();

@@ -545,7 +545,7 @@ QString WorkshopModel::otherRunText() const {
 // ----------------------------------------------------------------------------------- the parts
 
 WeighedColumn WorkshopModel::columnNote(shop::Part part) const {
-    const auto sheet = bob_weights::fitted(input()).weigh_in;
+    const auto& sheet = solved().sheet;
     const auto statistics = sheet ? shop::statistics((*sheet)[part]) : std::nullopt;
     WeighedColumn column;
     if (!statistics) {
@@ -619,8 +619,7 @@ QString WorkshopModel::weighInText(const Words& words) const {
 
 QString WorkshopModel::placedText(const Words& words) const {
     const bob_weights::Result& result = solution();
-    if (!result.placing || result.placing->moved == 0 || result.placed_crankpins.empty() ||
-        !weighAgain(words).isEmpty()) {
+    if (!result.placing || result.placing->moved == 0 || result.placed_crankpins.empty()) {
         return {};
     }
     QStringList pins;
@@ -633,8 +632,7 @@ QString WorkshopModel::placedText(const Words& words) const {
 
 bool WorkshopModel::canMoveBack() const {
     // By the numbers of a sheet of another number of cylinders they cannot.
-    const auto sheet = fitted(input()).weigh_in;
-    return sheet && sheet->is_moved();
+    return solved().sheet && solved().sheet->is_moved();
 }
 
 void WorkshopModel::moveBack() {

@@ -14,6 +14,7 @@
 #include "case-file/json.h"
 #include "case-file/result_json.h"
 #include "model/case_model_json.h"
+#include "shop/kilograms.h"
 #include "shop/model/verdict.h"
 #include "shop/weigh_in.h"
 #include "text/message_text.h"
@@ -229,9 +230,31 @@ Json WorkshopScene::write(const Job& input) {
 }
 
 WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
-    Solved solved{workshop::solve(input, false), {}, {}};
+    Solved solved{workshop::solve(input, false), {}, {}, fitted(input).weigh_in, {}};
     solved.allowed = workshop::allowed(solved.found);
     solved.verdict = workshop::short_verdict(input, solved.found);
+    if (!solved.sheet) {
+        return solved;
+    }
+    using shop::Part;
+    const WeighIn& sheet = *solved.sheet;
+    const auto swapped =
+        shop::swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
+    for (const Part part : shop::all_parts) {
+        const bool isRod = part == Part::rod_big_end || part == Part::rod_small_end;
+        const auto odd = shop::odd_mass(sheet[part].nominal, sheet[part].mass);
+        if (odd && !(isRod && !swapped.empty())) {  // whole rods are named below
+            for (const std::size_t cylinder : odd->cylinders()) {
+                solved.unlikely.emplace_back(part, cylinder);
+            }
+        }
+    }
+    for (const std::size_t cylinder : swapped) {
+        solved.unlikely.emplace_back(std::nullopt, cylinder);
+    }
+    if (!solved.unlikely.empty()) {
+        solved.allowed.shaft.placing.reset();
+    }
     return solved;
 }
 

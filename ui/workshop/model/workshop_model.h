@@ -33,6 +33,10 @@ struct WorkshopScene {
         workshop::Result found;    ///< all results, with the doubtful ones
         workshop::Result allowed;  ///< what may be shown as an answer
         Verdict verdict;
+        std::optional<shop::WeighIn> sheet;  ///< with a line for each cylinder
+        /// Parts to weigh again, by their cylinders; no part: the whole rod. Until then none is
+        /// moved.
+        std::vector<std::pair<std::optional<shop::Part>, std::size_t>> unlikely;
     };
     Input defaultInput() const;
     /// Fills in what a new job has beside its engine.
@@ -219,12 +223,13 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString weighInText(const Words& words = {}) const;
     /// The same after the sets are moved; empty where none is to be.
     QString placedText(const Words& words) const;
-    /// Parts to weigh again before the weights are used: those unlike the others of their column,
-    /// and rods whose ends are swapped. "Weigh again first: piston of cylinder 3; rod of cylinder
-    /// 5."; empty where the weights are plausible. By others no part is moved.
+    /// "Weigh again first: piston of cylinder 3; rod of cylinder 5."; empty where the weights are
+    /// plausible.
     QString weighAgain(const Words& words = {}) const;
     /// Which sets to move; null where no column counts, or weights are doubted.
-    const shop::Matched* placing() const;
+    const shop::Matched* placing() const {
+        return solution().placing ? &*solution().placing : nullptr;
+    }
     QString assignmentText(const Words& words = {}) const;
     /// Why it misses the goal, unproven parts, and the assumptions.
     QStringList assignmentRemarks() const;
