@@ -13211,6 +13211,10 @@ but no position is feasible</source>
         <source>Job</source>
         <translation>Работа</translation>
     </message>
+    <message>
+        <source>“%1” is not a date; example: %2.</source>
+        <translation>«%1» — не дата; пример: %2.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Journal</name>
@@ -13342,18 +13346,6 @@ but no position is feasible</source>
         <translation>&amp;Поиск</translation>
     </message>
     <message>
-        <source>any day</source>
-        <translation>любой день</translation>
-    </message>
-    <message>
-        <source>&amp;from</source>
-        <translation>&amp;с</translation>
-    </message>
-    <message>
-        <source>&amp;to</source>
-        <translation>п&amp;о</translation>
-    </message>
-    <message>
         <source>Jobs found</source>
         <translation>Найденные работы</translation>
     </message>
@@ -13438,8 +13430,8 @@ but no position is feasible</source>
         <translation>Станок, г·мм</translation>
     </message>
     <message>
-        <source>engine or crankshaft number, customer, technician</source>
-        <translation>номер двигателя или вала, заказчик, исполнитель</translation>
+        <source>engine or crankshaft number, customer, technician, %1 or %2</source>
+        <translation>номер двигателя или вала, заказчик, исполнитель, %1 или %2</translation>
     </message>
     <message>
         <source>&amp;unfinished only</source>
@@ -13448,14 +13440,6 @@ but no position is feasible</source>
     <message>
         <source>unfinished</source>
         <translation>не закончена</translation>
-    </message>
-    <message>
-        <source>“%1” is not a date; example: %2.</source>
-        <translation>«%1» — не дата; пример: %2.</translation>
-    </message>
-    <message>
-        <source>“from” is later than “to”.</source>
-        <translation>«С» позже, чем «по».</translation>
     </message>
     <message>
         <source>Remove job %1 of %2 from the journal permanently?</source>

@@ -5,7 +5,6 @@
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
-#include "workshop/journal_dialog.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
@@ -26,7 +25,11 @@ void JobSheet::addJob() {
     text("/job/crankshaft_number");
     text("/job/customer");
     checked(shop::field::date,
-            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
+            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); },
+             [](const QString& typed) {
+                 return tr("“%1” is not a date; example: %2.")
+                     .arg(typed, Words().day(QStringLiteral("2024-05-31")));
+             },
              [this] { return QString::fromStdString(model_->input().job.date); },
              [this](const QString& name, const QString& day) {
                  model_->editField("/job/date", day.toStdString(), name);

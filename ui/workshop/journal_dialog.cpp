@@ -13,12 +13,10 @@
 #include <algorithm>
 
 #include "pictures/file_dialogs.h"
-#include "shop/checked_field.h"
 #include "shop/model/verdict.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
-#include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/text_length.h"
@@ -48,25 +46,6 @@ QStringList journalColumns() {
 
 }  // namespace
 
-QDate readDay(const QString& text) {
-    for (const char* format : {"yyyy-MM-dd", "dd.MM.yyyy", "d.M.yyyy", "d.M.yy", "dd/MM/yyyy"}) {
-        QDate day = QDate::fromString(text.trimmed(), QLatin1String(format));
-        if (day.isValid()) {
-            if (day.year() < 2000 && qstrcmp(format, "d.M.yy") == 0) {
-                day = day.addYears(100);
-            }
-            return day;
-        }
-    }
-    return {};
-}
-
-QString dayTrouble(const QString& text) {
-    return readDay(text).isValid() ? QString()
-                                   : JournalDialog::tr("“%1” is not a date; example: %2.")
-                                         .arg(text, Words().day(QStringLiteral("2024-05-31")));
-}
-
 JournalDialog::JournalDialog(Journal* journal, QWidget* parent, const QString& text)
     : QDialog(parent), journal_(journal) {
     setWindowTitle(tr("Journal of jobs"));
@@ -74,52 +53,24 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent, const QString& t
     auto* column = new QVBoxLayout(this);
     column->setSpacing(Theme::space);
 
-    // At large text in a small window both rows fold.
-    const auto folding = [&] { return new FoldingRow(0, this); };
-    const auto partOf = [](FoldingRow* whole, int share) {
-        auto* part = new QWidget(whole);
-        QHBoxLayout* layout = rowIn(part);
-        whole->add(part, share);
-        return layout;
-    };
-    FoldingRow* fields = folding();
-    QHBoxLayout* row = partOf(fields, 1);
-    const auto add = [&](const QString& label, QWidget* field, int stretch) {
-        auto* name = new QLabel(label, this);
-        name->setBuddy(field);
-        QString spoken = label;
-        field->setAccessibleName(spoken.remove(QLatin1Char('&')));
-        field->setMinimumHeight(Theme::withText(buttonHeight - 4));
-        row->addWidget(name);
-        row->addWidget(field, stretch);
-    };
+    auto* fields = new QHBoxLayout;
     text_ = new QLineEdit(text, this);
     text_->setObjectName(QStringLiteral("journal_search"));
-    text_->setPlaceholderText(tr("engine or crankshaft number, customer, technician"));
+    text_->setAccessibleName(tr("&Search").remove(QLatin1Char('&')));
+    text_->setPlaceholderText(
+        tr("engine or crankshaft number, customer, technician, %1 or %2")
+            .arg(Words().day(QStringLiteral("2024-05-31")), QStringLiteral("2024-05")));
+    text_->setMinimumHeight(Theme::withText(buttonHeight - 4));
     text_->setClearButtonEnabled(true);
     limitLength(text_, 200);
-    add(tr("&Search"), text_, 1);
-    row = partOf(fields, 0);
-    const auto addDay = [&](const QString& name, const QString& label) {
-        auto* day = new CheckedField(dayTrouble, this);
-        day->setObjectName(name);
-        day->setPlaceholderText(tr("any day"));
-        day->setMaximumWidth(Theme::withText(110));
-        add(label, day, 0);
-        connect(day, &CheckedField::valueEdited, this, &JournalDialog::search);
-        connect(day, &CheckedField::troubleChanged, this, &JournalDialog::search);
-        return day;
-    };
-    from_ = addDay(QStringLiteral("journal_from"), tr("&from"));
-    to_ = addDay(QStringLiteral("journal_to"), tr("&to"));
+    auto* name = new QLabel(tr("&Search"), this);
+    name->setBuddy(text_);
     unfinished_ = new QCheckBox(tr("&unfinished only"), this);
     unfinished_->setObjectName(QStringLiteral("journal_unfinished"));
-    row->addWidget(unfinished_);
-    column->addWidget(fields);
-    trouble_ = new TroubleLine(this);
-    trouble_->setObjectName(QStringLiteral("journal_trouble"));
-    trouble_->setAlignment(Qt::AlignRight);
-    column->addWidget(trouble_);
+    fields->addWidget(name);
+    fields->addWidget(text_, 1);
+    fields->addWidget(unfinished_);
+    column->addLayout(fields);
 
     table_ = new QTableWidget(this);
     table_->setObjectName(QStringLiteral("journal_table"));
@@ -144,8 +95,14 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent, const QString& t
     message_ = new QLabel(this);
     message_->setWordWrap(true);
     column->addWidget(message_);
-    FoldingRow* allButtons = folding();
-    QHBoxLayout* buttons = partOf(allButtons, 1);
+    auto* allButtons = new FoldingRow(0, this);  // at large text in a small window
+    const auto partOf = [&](int share) {
+        auto* part = new QWidget(allButtons);
+        QHBoxLayout* layout = rowIn(part);
+        allButtons->add(part, share);
+        return layout;
+    };
+    QHBoxLayout* buttons = partOf(1);
     const auto button = [&](const char* name, const QString& text) {
         QPushButton* made = largeButton(name, text, this, buttonHeight);
         made->setAutoDefault(false);
@@ -156,7 +113,7 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent, const QString& t
     copy_ = button("journal_copy", tr("&Copy as new job"));
     remove_ = button("journal_remove", tr("&Remove…"));
     buttons->addStretch();
-    buttons = partOf(allButtons, 0);
+    buttons = partOf(0);
     export_ = button("journal_export", tr("&Export list as CSV…"));
     auto* close = button("journal_close", tr("C&lose"));
     column->addWidget(allButtons);
@@ -178,19 +135,6 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent, const QString& t
     if (parent != nullptr && wanted > width()) {
         resize(std::max(width(), std::min(wanted, parent->window()->width())), height());
     }
-}
-
-JournalQuery JournalDialog::query() const {
-    JournalQuery wanted;
-    wanted.text = text_->text();
-    // A day that is rejected bounds nothing: the one before it stands nowhere any more.
-    const auto dayIn = [](const CheckedField* field) {
-        return field->trouble().isEmpty() ? readDay(field->value()) : QDate();
-    };
-    wanted.from = dayIn(from_);
-    wanted.to = dayIn(to_);
-    wanted.unfinishedOnly = unfinished_->isChecked();
-    return wanted;
 }
 
 QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) const {
@@ -215,23 +159,8 @@ QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) co
             machine.join(QStringLiteral(": "))};
 }
 
-void JournalDialog::showDayTrouble(const JournalQuery& wanted) {
-    const bool isReversed = wanted.from.isValid() && wanted.to.isValid() && wanted.from > wanted.to;
-    QStringList said{from_->trouble(), to_->trouble()};
-    if (isReversed) {
-        said << tr("“from” is later than “to”.");
-    }
-    said.removeAll(QString());
-    from_->setDoubtful(isReversed);
-    to_->setDoubtful(isReversed);
-    trouble_->say(said.join(QLatin1Char('\n')));
-}
-
 void JournalDialog::search() {
-    JournalQuery wanted = query();
-    showDayTrouble(wanted);
-    wanted.limit = longestList + 1;
-    jobs_ = journal_->search(wanted);
+    jobs_ = journal_->search({text_->text(), longestList + 1, unfinished_->isChecked()});
     truncated_ = jobs_.size() > longestList;
     if (truncated_) {
         jobs_.removeLast();
@@ -323,7 +252,8 @@ void JournalDialog::removeSelected() {
 
 QString JournalDialog::exportTo(const QString& file) {
     // All that match, not only those that the list has room for.
-    const QList<JournalJob> jobs = truncated_ ? journal_->search(query()) : jobs_;
+    const QList<JournalJob> jobs =
+        truncated_ ? journal_->search({text_->text(), -1, unfinished_->isChecked()}) : jobs_;
     return journal_->exportCsv(file, jobs) ? QString() : journal_->lastError();
 }
 

@@ -14,10 +14,7 @@ class QTableWidget;
 
 namespace ravnoves {
 
-class CheckedField;
-class TroubleLine;
-
-/// The jobs in the journal: search by numbers, customer or date, open, copy, remove, export.
+/// The jobs in the journal: search by numbers, customer or day, open, copy, remove, export.
 class JournalDialog : public QDialog {
     Q_OBJECT
 
@@ -40,8 +37,6 @@ class JournalDialog : public QDialog {
 
   private:
     void search();
-    void showDayTrouble(const JournalQuery& wanted);
-    JournalQuery query() const;
     void choose(bool isCopy);
     void removeSelected();
     void exportWithDialog();
@@ -55,21 +50,13 @@ class JournalDialog : public QDialog {
     qint64 chosen_ = 0;
     bool isCopy_ = false;
     QLineEdit* text_;
-    CheckedField* from_;
-    CheckedField* to_;
     QCheckBox* unfinished_;
     QTableWidget* table_;
-    TroubleLine* trouble_;
     QLabel* message_;
     QPushButton* open_;
     QPushButton* copy_;
     QPushButton* remove_;
     QPushButton* export_;
 };
-
-/// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Else invalid.
-QDate readDay(const QString& text);
-/// Why a text is rejected as a day; empty where it is one.
-QString dayTrouble(const QString& text);
 
 }  // namespace ravnoves

@@ -25,7 +25,7 @@ TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
     type("engine_name", u"Kept"_s);
     EXPECT_EQ(find<QComboBox>("engine")->placeholderText(), u"Kept"_s);
     save();
-    ASSERT_EQ(model->desk()->journal()->search({u"kept"_s, {}, {}, -1, false}).size(), 1);
+    ASSERT_EQ(model->desk()->journal()->search({.text = u"kept"_s}).size(), 1);
     const qint64 kept = model->desk()->jobId();
     keys("engine", {Qt::Key_Home, Qt::Key_Down});
     EXPECT_EQ(model->input().plugs->preset, "6 l");

@@ -350,7 +350,7 @@ TEST_F(PlugsModelTest, EnginesKeptByAnOlderVersionBecomeJobs) {
         ASSERT_TRUE(model.desk()->openJournal());
         ASSERT_EQ(model.desk()->journal()->search({}).size(), 2) << "the damaged one stays";
         ASSERT_EQ(model.desk()->journal()->engines().size(), 1);
-        const auto found = model.desk()->journal()->search({u"камаз"_s, {}, {}, -1, false});
+        const auto found = model.desk()->journal()->search({.text = u"камаз"_s});
         ASSERT_EQ(found.size(), 1);
         EXPECT_FALSE(found.constFirst().isFinished);
         ASSERT_EQ(model.desk()->openJob(found.constFirst().id, true), QString());

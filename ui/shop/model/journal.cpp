@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shop/model/journal_rows.h"
+#include "shop/model/words.h"
 
 namespace ravnoves {
 
@@ -18,11 +19,10 @@ namespace {
 bool journalKept = true;
 
 /// The text with the pattern signs of LIKE taken literally.
-QString likePattern(QString text) {
+QString literal(QString text) {
     text.replace(QLatin1Char('\\'), QLatin1String("\\\\"));
     text.replace(QLatin1Char('%'), QLatin1String("\\%"));
-    text.replace(QLatin1Char('_'), QLatin1String("\\_"));
-    return QLatin1Char('%') + text + QLatin1Char('%');
+    return text.replace(QLatin1Char('_'), QLatin1String("\\_"));
 }
 
 }  // namespace
@@ -158,17 +158,20 @@ std::optional<JournalJob> Journal::job(qint64 id) {
 }
 
 QList<JournalJob> Journal::search(const JournalQuery& wanted) {
-    const QString from = bare(wanted.from.toString(Qt::ISODate));
-    const QString to = bare(wanted.to.toString(Qt::ISODate));
+    const QString text = wanted.text.trimmed();
+    const QDate day = readDay(text);
+    constexpr int month = 7;  // letters
+    const QVariant days = day.isValid()          ? day.toString(Qt::ISODate)
+                          : text.size() == month ? literal(text) + QLatin1Char('%')
+                                                 : QVariant();
     auto found = ask(QStringLiteral("SELECT %1 FROM job"
-                                    " WHERE search LIKE ? ESCAPE '\\'"
-                                    " AND (? = '' OR job_date >= ?)"
-                                    " AND (? = '' OR (job_date <> '' AND job_date <= ?))"
+                                    " WHERE (search LIKE ? ESCAPE '\\' OR"
+                                    " job_date LIKE ? ESCAPE '\\')"
                                     " AND is_finished <= ?"
                                     " ORDER BY job_date DESC, id DESC LIMIT ?")
                          .arg(journal_rows::columns),
-                     {likePattern(journal_rows::folded(wanted.text.trimmed())), from, from, to, to,
-                      wanted.unfinishedOnly ? 0 : 1, wanted.limit},
+                     {QLatin1Char('%') + literal(journal_rows::folded(text)) + QLatin1Char('%'),
+                      days, wanted.unfinishedOnly ? 0 : 1, wanted.limit},
                      tr("The journal could not be searched."));
     QList<JournalJob> jobs;
     while (found && found->next()) {

@@ -74,9 +74,8 @@ struct JournalRestored {
 };
 
 struct JournalQuery {
-    QString text;    ///< in the numbers, customer, technician or engine; empty: all
-    QDate from;      ///< first day; invalid: no bound
-    QDate to;        ///< last day
+    /// In the numbers, customer, technician or engine, or a day or month ("2024-05"); empty: all.
+    QString text;
     int limit = -1;  ///< the newest ones; -1: all
     bool unfinishedOnly = false;
 };

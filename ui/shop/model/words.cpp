@@ -1,7 +1,6 @@
 #include "shop/model/words.h"
 
 #include <QCoreApplication>
-#include <QDate>
 #include <QTranslator>
 #include <algorithm>
 
@@ -101,6 +100,16 @@ QString Words::plainWithUnit(double si, const Field& field, int decimals) const 
 
 QString Words::plainWithUnit(double si, Unit unit, int decimals) const {
     return withUnit(plain(si, unit, decimals), this->unit(unit));
+}
+
+QDate readDay(const QString& text) {
+    for (const char* format : {"yyyy-MM-dd", "dd.MM.yyyy", "d.M.yyyy", "d.M.yy", "dd/MM/yyyy"}) {
+        const QDate day = QDate::fromString(text.trimmed(), QLatin1String(format));
+        if (day.isValid()) {
+            return day.year() < 2000 && qstrcmp(format, "d.M.yy") == 0 ? day.addYears(100) : day;
+        }
+    }
+    return {};
 }
 
 }  // namespace ravnoves

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDate>
 #include <QLocale>
 #include <QString>
 #include <memory>
@@ -59,5 +60,8 @@ class Words {
     std::shared_ptr<const QTranslator> translator_;
     QLocale locale_;
 };
+
+/// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Else invalid.
+QDate readDay(const QString& text);
 
 }  // namespace ravnoves

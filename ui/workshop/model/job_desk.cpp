@@ -107,7 +107,7 @@ void JobDesk::moveEngines() {
             job.isFinished = false;
             job.form = QByteArray::fromStdString(
                 write_case(parse_shown_case(write_case({"v8-plugs", {}, input}).dump())).dump());
-            const auto known = journal_->search({engine.name, {}, {}, -1, false});
+            const auto known = journal_->search({.text = engine.name});
             if (std::ranges::find(known, job.form, &JournalJob::form) != known.end() ||
                 journal_->save(job) != Journal::Saved::No) {
                 journal_->removeEngine(engine.name);
@@ -237,10 +237,7 @@ std::optional<JournalJob> JobDesk::sameJob() {
         return std::nullopt;
     }
     const JournalJob here = model_->journalEntry();
-    JournalQuery query;
-    query.from = here.date;
-    query.to = here.date;
-    for (const JournalJob& there : journal_->search(query)) {
+    for (const JournalJob& there : journal_->search({.text = here.date.toString(Qt::ISODate)})) {
         const auto agree = [](const QString& a, const QString& b) {
             return a == b || a.isEmpty() || b.isEmpty();
         };
