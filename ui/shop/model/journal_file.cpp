@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QSqlDatabase>
+#include <QTemporaryDir>
 #include <QThread>
 #include <algorithm>
 #include <array>
@@ -436,66 +437,28 @@ bool Journal::backUp(const QString& file) {
     return true;
 }
 
-namespace {
-
-struct Contents {
-    QList<JournalJob> jobs;
-    QList<JournalEngine> engines;
-};
-
-/// All that is in a journal; nothing where it is none, is damaged or is cancelled.
-std::optional<Contents> contentsOf(const QSqlDatabase& database,
-                                   const std::atomic<bool>* cancelled) {
-    QSqlQuery query(database);
-    query.setForwardOnly(true);
-    query.exec(QStringLiteral("PRAGMA trusted_schema = OFF"));
-    const auto head = headOf(query);
-    if (!head || !head->isOurs || head->version < 1 || head->version > schemaVersion ||
-        checkBy(query) != whole) {
-        return std::nullopt;
-    }
-    Contents found;
-    const auto continues = [&] { return cancelled == nullptr || !*cancelled; };
-    if (!query.exec(QStringLiteral("SELECT %1 FROM job")
-                        .arg(head->version == 1 ? journal_rows::columnsOfVersionOne
-                                                : journal_rows::columns))) {
-        return std::nullopt;
-    }
-    while (continues() && query.next()) {
-        found.jobs << journal_rows::read(query);
-    }
-    if (query.lastError().isValid() ||
-        !query.exec(QStringLiteral("SELECT name, engine_values FROM engine"))) {
-        return std::nullopt;
-    }
-    while (continues() && query.next()) {
-        found.engines << JournalEngine{query.value(0).toString(),
-                                       query.value(1).toString().toUtf8()};
-    }
-    return continues() ? std::optional(found) : std::nullopt;
-}
-
-}  // namespace
-
 std::optional<JournalRestored> Journal::restore(const QString& file,
                                                 const std::atomic<bool>* cancelled) {
     const QString cannot = tr("%1 is not a backup of a journal, or is damaged.").arg(file);
-    std::optional<Contents> found;
-    if (!isReady() || QFileInfo(file) == QFileInfo(path_) || !noFileOf(file).isEmpty()) {
+    // A copy is opened as a journal is, also one of an older version: the backup is not changed.
+    const QTemporaryDir folder;
+    Journal other(folder.filePath(QStringLiteral("journal.sqlite")));
+    const auto copy = [&](const char* suffix) {
+        const QString target = other.path_ + QLatin1String(suffix);
+        return QFile::copy(file + QLatin1String(suffix), target) &&
+               QFile::setPermissions(target, QFile::ReadOwner | QFile::WriteOwner);
+    };
+    if (!isReady() || QFileInfo(file) == QFileInfo(path_) || !noFileOf(file).isEmpty() ||
+        !copy("")) {
         fail(cannot, {});
         return std::nullopt;
     }
-    const QString connection = connection_ + QStringLiteral("-other");
-    {
-        QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection);
-        db.setDatabaseName(file);
-        db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
-        if (db.open()) {
-            found = contentsOf(db, cancelled);
-        }
-    }
-    QSqlDatabase::removeDatabase(connection);
-    if (!found) {
+    copy("-wal");  // where it has one
+    const bool isOpen = other.openDatabase();
+    QList<JournalJob> jobs = isOpen ? other.search({}) : QList<JournalJob>();
+    const bool isRead = isOpen && other.error_.isEmpty();
+    const auto theirs = isRead ? other.engines() : QList<JournalEngine>();
+    if (!isRead || !other.error_.isEmpty()) {
         fail(cannot, {});
         return std::nullopt;
     }
@@ -510,7 +473,7 @@ std::optional<JournalRestored> Journal::restore(const QString& file,
     }
     JournalRestored done;
     bool isKept = runText(QStringLiteral("BEGIN IMMEDIATE"), cannot);
-    for (JournalJob& job : found->jobs) {
+    for (JournalJob& job : jobs) {
         const QDateTime saved = job.saved;
         if (known.contains({saved.toMSecsSinceEpoch(), job.form})) {
             ++done.known;
@@ -522,7 +485,7 @@ std::optional<JournalRestored> Journal::restore(const QString& file,
                      {journal_rows::stamp(saved), job.id}, cannot);
         ++done.added;
     }
-    for (const JournalEngine& engine : found->engines) {
+    for (const JournalEngine& engine : theirs) {
         isKept = isKept && (names.contains(engine.name) || saveEngine(engine));
     }
     if (!isKept || !runText(QStringLiteral("COMMIT"), cannot)) {
