@@ -17343,9 +17343,6 @@ but no position is feasible</source>
         <source>Mass to take off each part to match the lightest</source>
         <translation>Сколько снять с каждой детали до самой лёгкой</translation>
     </message>
-</context>
-<context>
-    <name>ravnoves::WeighInTable</name>
     <message>
         <source>%1, nominal mass, g</source>
         <translation>%1, номинальная масса, г</translation>
@@ -17371,10 +17368,6 @@ but no position is feasible</source>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Paste weights</source>
-        <translation>Вставка масс</translation>
-    </message>
-    <message>
         <source>%1, permitted range, g</source>
         <translation>%1, допустимый размах, г</translation>
     </message>
@@ -17393,14 +17386,6 @@ but no position is feasible</source>
     <message>
         <source>%1, range</source>
         <translation>%1, размах</translation>
-    </message>
-    <message>
-        <source>Not pasted: from here the block does not fit on the sheet of %1 cylinders.</source>
-        <translation>Не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
-    </message>
-    <message>
-        <source>Not pasted: “%1” is not a mass in %2.</source>
-        <translation>Не вставлено: «%1» — не масса в %2.</translation>
     </message>
 </context>
 <context>
@@ -17711,6 +17696,18 @@ but no position is feasible</source>
     <message>
         <source>Name of the engine</source>
         <translation>Название двигателя</translation>
+    </message>
+    <message>
+        <source>Paste weights</source>
+        <translation>Вставка масс</translation>
+    </message>
+    <message>
+        <source>Not pasted: from here the block does not fit on the sheet of %1 cylinders.</source>
+        <translation>Не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
+    </message>
+    <message>
+        <source>Not pasted: “%1” is not a mass in %2.</source>
+        <translation>Не вставлено: «%1» — не масса в %2.</translation>
     </message>
 </context>
 <context>

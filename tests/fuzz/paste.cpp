@@ -14,7 +14,6 @@
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
 #include "window_target.h"
-#include "workshop/model/weigh_in_table.h"
 #include "workshop/model/workshop_model.h"
 
 namespace {
@@ -48,8 +47,6 @@ struct Pages {
 
     WorkshopModel shaft{QString()};
     WorkshopModel plugs{QString()};
-    WeighInTable weights{&shaft};
-    WeighInTable weightsWithPlugs{&plugs};
     BalanceShaftModel single;
     TorqueTableModel torque{&single};
     InertiaMomentsModel engine;
@@ -85,10 +82,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     paste(pages.single, [&] { return pages.torque.pasteBlock(row, column % 2, cells); });
     pages.torque.forgetRejected();
-    paste(pages.shaft,
-          [&] { return pages.weights.paste(row, column, readTextTable(text, EmptyLine::gap)); });
+    paste(pages.shaft, [&] {
+        return pages.shaft.pasteWeights(row, column, readTextTable(text, EmptyLine::gap));
+    });
     paste(pages.plugs, [&] {
-        return pages.weightsWithPlugs.paste(row, column, readTextTable(text, EmptyLine::gap));
+        return pages.plugs.pasteWeights(row, column, readTextTable(text, EmptyLine::gap));
     });
     paste(pages.engine, [&] { return pages.cylinders.pasteBlock(row, column, cells); });
     paste(pages.engine, [&] { return pages.scatter.pasteBlock(row, column, cells); });

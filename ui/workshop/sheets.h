@@ -1,6 +1,5 @@
 #pragma once
 
-#include "workshop/model/weigh_in_table.h"
 #include "workshop/workshop_sheet.h"
 
 class QComboBox;
@@ -61,7 +60,6 @@ class WeighInSheet : public WorkshopSheet {
     void addTable(std::string_view part, const QString& name);
     shop::MatchingRules rules() const;
 
-    WeighInTable table_;
     TroubleLine* trouble_;
     int rows_;  ///< that have cells
     QGridLayout* grid_ = nullptr;

@@ -32,9 +32,8 @@ constexpr int maxRows = 16;      // further cylinders come by pasting a column
 
 WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent)
     : WorkshopSheet(model, parent),
-      table_(model),
       trouble_(new TroubleLine(this)),
-      rows_(WeighInTable::firstCylinder + maxRows) {
+      rows_(WorkshopModel::firstCylinder + maxRows) {
     column()->setSpacing(Theme::space);
     addSource();
     addWeights();
@@ -90,17 +89,21 @@ void WeighInSheet::addWeights() {
     grid_->setVerticalSpacing(2);
     grid_->setColumnMinimumWidth(0, Theme::withText(50));
     for (int row = 0; row < rows_; ++row) {
+        const int cylinder = row - WorkshopModel::firstCylinder + 1;
         QLabel* title =
-            put(row + 1, 0, WeighInTable::titleOf(row),
-                row < WeighInTable::firstCylinder ? Theme::smallSize : Theme::titleSize);
-        follow([this, title, row] { title->setVisible(row < table_.rows()); });
+            cylinder > 0
+                ? put(row + 1, 0, QString::number(cylinder), Theme::titleSize)
+                : put(row + 1, 0,
+                      shownTitle(row == 0 ? tr("nominal, g") : tr("permitted range, g")).text,
+                      Theme::smallSize);
+        follow([this, title, row] { title->setVisible(row < model_->weightRows()); });
     }
     int row = rows_ + 1;
     for (const QString& title : {tr("mean, g"), tr("vs. nominal, g"), tr("range, g")}) {
         put(row++, 0, shownTitle(title).text, Theme::smallSize);
     }
     trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));
-    for (int column = 0; column < WeighInTable::columns; ++column) {
+    for (int column = 0; column < std::ssize(shop::all_parts); ++column) {
         addColumn(column);
     }
     QList<QList<QWidget*>> rows(rows_);
@@ -128,7 +131,10 @@ QLabel* WeighInSheet::put(int row, int column, const QString& text, int size, bo
 
 void WeighInSheet::addColumn(int column) {
     const int place = column + 1;
-    put(0, place, WeighInTable::headingOf(column), Theme::smallSize, true);
+    const shop::Part part = shop::all_parts[static_cast<std::size_t>(column)];
+    const auto whose =
+        std::ranges::find(bob_weights::part_fields(), part, &bob_weights::PartField::column);
+    put(0, place, fieldName(whose->field), Theme::smallSize, true);
     grid_->setColumnStretch(place, 1);
     for (int row = 0; row < rows_; ++row) {
         grid_->addWidget(addCell(row, column), row + 1, place);
@@ -137,7 +143,7 @@ void WeighInSheet::addColumn(int column) {
     QLabel* mean = put(row++, place, {}, Theme::baseSize);
     QLabel* deviation = put(row++, place, {}, Theme::baseSize);
     QLabel* spread = put(row++, place, {}, Theme::baseSize);
-    const auto show = [=, this, part = shop::all_parts[static_cast<std::size_t>(column)]] {
+    const auto show = [=, this] {
         const WeighedColumn weighed = model_->columnNote(part);
         const auto say = [&](QLabel* label, const QString& text, Ink ink) {
             label->setText(text);
@@ -153,11 +159,29 @@ void WeighInSheet::addColumn(int column) {
 }
 
 NumberField* WeighInSheet::addCell(int row, int column) {
-    const Field& description = WeighInTable::fieldOf(row);
-    NumberField* field = ordered(
-        cell(description, WeighInTable::keyOf(row, column), WeighInTable::nameOf(row, column)));
-    field->setHint(WeighInTable::hintOf(row, column));
-    if (row < WeighInTable::firstCylinder) {
+    const Field& description = WorkshopModel::weightField(row);
+    const Word& word = shop::part_word(shop::all_parts[static_cast<std::size_t>(column)]);
+    const QString part = shownText(word.label);
+    const QString key = QString::fromStdString(std::string(word.word));
+    // A text with %1 for the part and %2 for the cylinder; the first two are of the rows above.
+    const auto of = [row](const QString& whose, const QString& nominal, const QString& spread,
+                          const QString& cylinder) {
+        return row == 0   ? nominal.arg(whose)
+               : row == 1 ? spread.arg(whose)
+                          : cylinder.arg(whose).arg(row - WorkshopModel::firstCylinder + 1);
+    };
+    NumberField* field =
+        ordered(cell(description,
+                     of(key, QStringLiteral("nominal_%1"), QStringLiteral("spread_%1"),
+                        QStringLiteral("mass_%1_%2")),
+                     shownTitle(of(part, tr("%1, nominal mass, g"), tr("%1, permitted range, g"),
+                                   tr("%1 of cylinder %2, g")))
+                         .text));
+    field->setHint(of(part, tr("%1: mass by the drawing."),
+                      tr("%1: permitted heaviest minus lightest, by the works manual. Blank means "
+                         "no limit."),
+                      tr("%1 of cylinder %2 by the scale.")));
+    if (row < WorkshopModel::firstCylinder) {
         setTypedAlone(field);
     }
     field->setMinimumWidth(Theme::withText(cellWidth));
@@ -166,11 +190,12 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
     field->setDecimals(2 + shownUnit(description.unit).decimals);
     bind(
-        field, description, [this, row, column] { return table_.mass(row, column); },
-        [this, row, column](std::optional<double> mass) { table_.setMass(row, column, mass); });
+        field, description, [this, row, column] { return model_->weight(row, column); },
+        [this, row, column, step = of(part, tr("%1, nominal"), tr("%1, range"), tr("%1 %2"))](
+            std::optional<double> mass) { model_->setWeight(step, row, column, mass); });
     trouble_->watch(field);
     cells_.push_back(field);
-    follow([this, field, row] { field->setVisible(row < table_.rows()); });
+    follow([this, field, row] { field->setVisible(row < model_->weightRows()); });
     return field;
 }
 
@@ -192,7 +217,7 @@ bool WeighInSheet::pasteBlock(int row, int column) {
     const QString text = QGuiApplication::clipboard()->text();
     const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
     if (isBlock) {
-        trouble_->say(table_.paste(row, column, readTextTable(text, EmptyLine::gap)));
+        trouble_->say(model_->pasteWeights(row, column, readTextTable(text, EmptyLine::gap)));
     }
     return isBlock;
 }

@@ -175,6 +175,18 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool isShopsTolerance() const;
 
     // ----------------------------------------------------------------------------- the parts
+    // The sheet as cells: a column for each kind of part, a row for each cylinder; above them rows
+    // for the nominal mass and for the permitted spread. A cell is a mass in kg, or nothing.
+    static constexpr int firstCylinder = 2;  ///< its row
+    int weightRows() const { return firstCylinder + input().engine.cylinders; }
+    /// The description common to all cells of a row.
+    static const Field& weightField(int row);
+    std::optional<double> weight(int row, int column) const;
+    void setWeight(const QString& name, int row, int column, std::optional<double> mass);
+    /// Writes a block of cells, as a spreadsheet does, in one step; a cell without text keeps its
+    /// value, and one rejected cell rejects the block.
+    /// @return an empty string, or the fault
+    QString pasteWeights(int row, int column, const std::vector<QStringList>& cells);
     WeighedColumn columnNote(shop::Part part) const;
     /// The weights change places as the placing says.
     void moveParts();
