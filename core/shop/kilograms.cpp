@@ -63,8 +63,9 @@ std::vector<std::size_t> OddMass::cylinders() const {
     return all;
 }
 
-std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
-                                std::span<const Weighed> masses) {
+std::optional<OddMass> odd_mass(const PartColumn& column) {
+    const auto& nominal = column.nominal;
+    const auto& masses = column.mass;
     std::optional<OddMass> found;
     double farthest = 0.0;
     std::vector<std::size_t> odd;
@@ -84,14 +85,17 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
         const double away = std::abs(std::log(*masses[i] / usual));
         constexpr double min_scatter = 1e-4;  // of a mass: what scales read
         constexpr double max_score = 6.0;
+        constexpr double rounding = 1e-9;
         constexpr double min_away = 0.01;
+        const double off = std::abs(*masses[i] - usual);
         std::optional<double> score;
         if (others.size() >= 3) {
-            score = std::abs(*masses[i] - usual) /
-                    std::max(robust_scatter(others, usual), min_scatter * usual);
+            score = off / std::max(robust_scatter(others, usual), min_scatter * usual);
         }
         if (away <= std::log(maximum)) {
-            if (score && *score > max_score && away > min_away) {
+            // What the shop permits is no slip, however equal the others are.
+            if (score && *score > max_score && away > min_away &&
+                off > column.permitted_spread.value_or(0.0) + rounding) {
                 scattered.push_back({i, *masses[i], usual, score});
             }
             continue;

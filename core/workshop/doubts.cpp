@@ -130,7 +130,7 @@ Messages kilograms(const DoubtCase& job) {
 Messages odd_mass(const DoubtCase& job) {
     Messages list;
     for_columns(job, [&](Part part, const shop::PartColumn& column) {
-        const auto odd = shop::odd_mass(column.nominal, column.mass);
+        const auto odd = shop::odd_mass(column);
         if (!odd || is_in_kilograms(part, column)) {
             return;
         }
@@ -319,7 +319,7 @@ Messages spread_of_parts(const DoubtCase& job) {
     Messages list;
     for_columns(job, [&](Part part, const shop::PartColumn& column) {
         const auto found = shop::statistics(column);
-        if (shop::odd_mass(column.nominal, column.mass)) {
+        if (shop::odd_mass(column)) {
             return;  // which is said by itself
         }
         if (!found->within_permitted) {

@@ -121,8 +121,11 @@ TEST(WeighInSheet, KilogramsAreNoticed) {
 }
 
 TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
-    using shop::odd_mass;
     using shop::Weighed;
+    const auto odd_mass = [](Weighed nominal, const std::vector<Weighed>& masses,
+                             Weighed permitted = {}) {
+        return shop::odd_mass({nominal, permitted, masses});
+    };
     const auto grams = [](std::initializer_list<double> values) {
         std::vector<Weighed> masses;
         for (const double value : values) {
@@ -158,6 +161,13 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
     EXPECT_FALSE(odd_mass({}, grams({600, 602, 604, 606, 601, 609, 603, 605})));
     EXPECT_FALSE(odd_mass({}, grams({600, 600.1, 600.2, 600, 620, 620.1, 620, 620.2})));
     EXPECT_FALSE(odd_mass({}, grams({600, 600, 600, 600, 600, 600, 600, 602})));
+    // Of seven that do not scatter at all the permitted range decides.
+    const auto rings = grams({60, 60, 60, 61, 60, 60, 60, 60});
+    EXPECT_TRUE(odd_mass({}, rings));
+    EXPECT_TRUE(odd_mass({}, rings, 0.5 * gram));
+    EXPECT_FALSE(odd_mass({}, rings, 1.0 * gram));
+    EXPECT_FALSE(odd_mass({}, rings, 2.0 * gram));
+    EXPECT_TRUE(odd_mass({}, grams({60, 60, 60, 67, 60, 60, 60, 60}), 10 * gram)) << "a tenth";
     // All that are unlike the others, and both kinds where there are two.
     EXPECT_EQ(odd_mass({}, grams({584, 651, 583, 584, 585, 655}))->also,
               std::vector<std::size_t>{1});

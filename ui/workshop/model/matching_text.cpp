@@ -218,7 +218,7 @@ Results WorkshopModel::takeOffResults(const Words& words) const {
         sheet.columns.front().mass.size())};
     for (const Part part : shop::all_parts) {
         const bool isRod = part == Part::rod_big_end || part == Part::rod_small_end;
-        if (shop::odd_mass(std::nullopt, sheet[part].mass) || (isRod && areSwapped)) {
+        if (shop::odd_mass(sheet[part]) || (isRod && areSwapped)) {
             continue;
         }
         constexpr double nothing = 0.005 * units::gram;  // of what a scale reads

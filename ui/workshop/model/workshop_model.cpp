@@ -242,7 +242,7 @@ WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
         shop::swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
     for (const Part part : shop::all_parts) {
         const bool isRod = part == Part::rod_big_end || part == Part::rod_small_end;
-        const auto odd = shop::odd_mass(sheet[part].nominal, sheet[part].mass);
+        const auto odd = shop::odd_mass(sheet[part]);
         if (odd && !(isRod && !swapped.empty())) {  // whole rods are named below
             for (const std::size_t cylinder : odd->cylinders()) {
                 solved.unlikely.emplace_back(part, cylinder);
