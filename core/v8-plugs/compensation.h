@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -98,44 +97,6 @@ struct Option {
 /// The option; nothing where the engine has not the plugs it needs.
 std::optional<Option> evaluate_option(OptionId id, const Engine& engine, double unbalanced_mass,
                                       double tolerance);
-
-/// What to do, as data; describe() makes the sentence.
-struct Advice {
-    enum class Kind {
-        none_needed,        ///< the excess itself is within the tolerance
-        option,             ///< `option` is the cheapest that works
-        too_light,          ///< lighter than nominal: plugs can only be lightened
-        none_sufficient,    ///< every option falls short of the excess
-        none_light_enough,  ///< every option over-compensates or falls short: a gap between them
-        no_new_plug_data,   ///< crankshaft for new plugs, but their data are missing
-        cannot_be_made      ///< `option` would do, but its plug cannot be made so
-    };
-    Kind kind;
-    std::optional<Option> option;  ///< the recommended one, or the one of minimum residual
-    /// An option that would work if the other crankshaft were fitted.
-    std::optional<OptionId> with_other_crankshaft;
-    Message hindrance;  ///< why the plug cannot be made; empty else
-};
-
-/// Why the plugs of an option cannot be made; empty where they can.
-using Hindrance = std::function<Message(const Option&)>;
-
-/// The first option that works in the order of cost (nothing, steel plugs, aluminium plugs) among
-/// those for the crankshaft that is fitted. One whose plugs cannot be made does not.
-Advice advise(const Engine& engine, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
-              const Hindrance& hindrance = {});
-
-using shop::two_sentences;
-/// The advice as a technician would say it.
-Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,
-                 double tolerance);
-/// The instruction of an option, with the mass to take off each plug, kg; from one mass to another
-/// where they read differently.
-Message describe_action(const Option& option, double minimum, double maximum);
-/// Why an option does not work (residual beyond the tolerance); empty where it does.
-Message describe_failure(const Option& option, double tolerance);
-/// "works", within which tolerance it does, or why it does not.
-Message describe_verdict(const Option& option, double tolerance);
 
 /// The mass to hang on a crankpin when the crankshaft is balanced, line by line.
 struct BobWeight {

@@ -101,8 +101,8 @@ double bored_mass(const PlugGeometry& plug, double cutter_diameter, double depth
     return density * (cut - already_gone);
 }
 
-Boring plan_boring(const PlugGeometry& plug, const BoreLimits& limits, double reduction,
-                   double density) {
+Boring plan_boring(const BoreSetup& setup, double reduction) {
+    const auto& [plug, limits, density] = setup;
     const double area = disc(limits.cutter_diameter);
     const bool wider = limits.cutter_diameter > plug.bore_diameter;
     const double ring = wider ? area - disc(plug.bore_diameter) : 0.0;

@@ -63,6 +63,13 @@ struct BoreLimits {
     friend bool operator==(const BoreLimits&, const BoreLimits&) = default;
 };
 
+/// How the plugs are bored.
+struct BoreSetup {
+    PlugGeometry plug;
+    BoreLimits limits;
+    double density;  ///< kg/m³
+};
+
 /// How deep to bore.
 struct Boring {
     enum class Limit {
@@ -89,8 +96,7 @@ double bored_mass(const PlugGeometry& plug, double cutter_diameter, double depth
 
 /// The bore that removes `reduction` (kg, >= 0); where a wall limit forbids it, `limit` says which,
 /// and depth is the one that would be needed.
-Boring plan_boring(const PlugGeometry& plug, const BoreLimits& limits, double reduction,
-                   double density);
+Boring plan_boring(const BoreSetup& setup, double reduction);
 /// The boring as a technician would say it: "Bore 0.74 mm deeper with a 20 mm cutter, to 8.74 mm
 /// from the face." Empty where nothing is to be cut.
 Message describe(const Boring& boring, const BoreLimits& limits);

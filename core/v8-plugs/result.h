@@ -20,6 +20,11 @@ struct SolvedOption : Option {
     bool works() const { return feasible && hindrance.empty(); }
     /// Works only as long as the shift is neglected.
     bool by_method_alone() const { return shift && shift->matters; }
+    /// Mass to take off each plug, kg: by the method, or with the shift where that matters; of an
+    /// option that falls short the required mass.
+    double take_off() const {
+        return by_method_alone() ? shift->reduction : feasible ? reduction : required_reduction;
+    }
     /// The bore to make: where the neglected shift matters, the one that counts it; empty where
     /// no bore does.
     std::optional<Boring> right_boring() const {
@@ -34,6 +39,23 @@ struct SolvedOption : Option {
         bored->depth = *shift->depth;
         return bored;
     }
+};
+
+/// What to do.
+struct Advice {
+    enum class Kind {
+        none_needed,        ///< the excess itself is within the tolerance
+        option,             ///< `option` is the cheapest that works
+        too_light,          ///< lighter than nominal: plugs can only be lightened
+        none_sufficient,    ///< every option falls short of the excess
+        none_light_enough,  ///< every option over-compensates or falls short: a gap between them
+        no_new_plug_data,   ///< crankshaft for new plugs, but their data are missing
+        cannot_be_made      ///< `option` would do, but its plug cannot be made so
+    };
+    Kind kind;
+    std::optional<OptionId> option{};  ///< the recommended one, or the one of minimum residual
+    /// An option that would work if the other crankshaft were fitted.
+    std::optional<OptionId> with_other_crankshaft{};
 };
 
 /// One material of plug: what its dimensions weigh against the mass in the method.
@@ -67,7 +89,7 @@ struct Result {
     }
     /// The recommended one, or the one of minimum residual; null without any.
     const SolvedOption* chosen() const {
-        return advice && advice->option ? &*option(advice->option->id) : nullptr;
+        return advice && advice->option ? &*option(*advice->option) : nullptr;
     }
     /// The bob weight to hang on a crankpin, the plugs out of the shaft; the present one where no
     /// change is needed; null while unknown.

@@ -1,5 +1,6 @@
 #include "v8-plugs/results.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -16,6 +17,9 @@ namespace {
 
 using ravnoves::result_field::feasible;
 using ravnoves::result_field::reason;
+using shop::in_gram_millimetres;
+using shop::in_grams;
+using shop::two_sentences;
 namespace key {
 constexpr ResultField unbalanced_mass{"unbalanced_mass_g", Text::tr("Excess on a crankpin Δmᵤ"), 3,
                                       Text::tr("Excess mass of the parts on the crankpin axis.")};
@@ -26,7 +30,10 @@ constexpr ResultField state{"state"};
 constexpr ResultField warning{"warning"};
 constexpr ResultField required_reduction{"required_reduction_g",
                                          Text::tr("Required off each plug")};
-constexpr ResultField reduction{"reduction_g", Text::tr("Take off each plug")};
+constexpr ResultField reduction{"reduction_g", Text::tr("Off each plug, paper's method")};
+constexpr ResultField take_off{
+    "take_off_g", Text::tr("Take off each plug"), 3,
+    Text::tr("With the shift of the plug's centre of mass, where the shift matters.")};
 constexpr ResultField residual_mass{"residual_mass_g", Text::tr("Remains")};
 constexpr ResultField residual_unbalance{"residual_unbalance_g_mm", Text::tr("Residual unbalance"),
                                          1};
@@ -36,6 +43,22 @@ constexpr ResultField with_plugs_in{"bobweight_with_plugs_in_g", Text::tr("Bob w
 constexpr ResultField shift{"shift_mm", Text::tr("Shift"), 2};
 constexpr ResultField bob_weight{"bobweight", Text::tr("Bob weight")};
 }  // namespace key
+
+Message over_or_under(const Option& option) {
+    return {option.residual_mass > 0 ? Text::tr("leaves an excess of %1 on each crankpin")
+                                     : Text::tr("over-compensates by %1 on each crankpin"),
+            in_grams(std::abs(option.residual_mass))};
+}
+
+Message within(double unbalance, double tolerance) {
+    return {Text::tr("%1, within the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
+            in_gram_millimetres(tolerance)};
+}
+
+Message against(double unbalance, double tolerance) {
+    return {Text::tr("%1 against the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
+            in_gram_millimetres(tolerance)};
+}
 
 constexpr std::array<std::string_view, 3> limit_words{"none", "wall", "bottom"};
 
@@ -94,15 +117,16 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
            &Option::slope);
     number({"maximum_g", Text::tr("Maximum")}, &Option::maximum);
     if (option && !solved) {
-        for (const ResultField* field :
-             {&key::required_reduction, &key::reduction, &feasible, &key::residual_mass,
-              &key::residual_unbalance, &key::bob_weight_sum, &key::with_plugs_in}) {
+        for (const ResultField* field : {&key::required_reduction, &key::reduction, &key::take_off,
+                                         &feasible, &key::residual_mass, &key::residual_unbalance,
+                                         &key::bob_weight_sum, &key::with_plugs_in}) {
             visitor.nothing(*field);
         }
         return;
     }
     number(key::required_reduction, &Option::required_reduction);
     number(key::reduction, &Option::reduction);
+    visitor.number(key::take_off, solved ? std::optional(solved->take_off()) : std::nullopt);
     visitor.flag(feasible, option && option->feasible);
     number(key::residual_mass, &Option::residual_mass);
     number(key::residual_unbalance, &Option::residual_unbalance);
@@ -198,7 +222,7 @@ Message advice_text(const Input& input, const Result& result) {
 
 std::string_view recommended_word(const Advice& advice) {
     return advice.kind == Advice::Kind::none_needed ? "none-needed"
-           : advice.kind == Advice::Kind::option    ? option_word(advice.option.value().id).word
+           : advice.kind == Advice::Kind::option    ? option_word(advice.option.value()).word
                                                     : "";
 }
 
@@ -274,13 +298,103 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     }
 }
 
+Message describe_action(const Option& option, double reduction) {
+    const bool machined = option.machined();
+    const Number off = in_grams(reduction);
+    if (has_new_plugs(option.id)) {
+        return machined ? Message(Text::tr("Take %1 off each of the 8 new steel plugs."), off)
+                        : Text::tr("Leave the 8 new steel plugs unchanged.");
+    }
+    if (has_steel_plugs(option.id)) {
+        return machined ? Message(Text::tr("Take %1 off each of the 8 steel plugs."), off)
+                        : Text::tr("Fit the 8 present steel plugs unchanged.");
+    }
+    return machined
+               ? Message(Text::tr("Replace all 8 plugs by aluminium plugs, lightened by %1 each."),
+                         off)
+               : Text::tr("Replace all 8 plugs by aluminium plugs, unchanged.");
+}
+
+Message describe_failure(const Option& option, double tolerance) {
+    return option.feasible ? Message()
+                           : Message(Text{"%1: %2"}, over_or_under(option),
+                                     against(option.residual_unbalance, tolerance));
+}
+
+Message describe_verdict(const Option& option, double tolerance) {
+    if (!option.feasible) {
+        return describe_failure(option, tolerance);
+    }
+    return option.residual_mass == 0.0
+               ? Message(Text::tr("works"))
+               : Message(Text::tr("works: %1"), within(option.residual_unbalance, tolerance));
+}
+
 Message plug_work(const Input& input, const Result& result) {
     const Advice& advice = *result.advice;
-    if (const ShiftEffect* effect = result.shift_that_matters()) {
-        return describe_action(*advice.option, effect->min_reduction, effect->max_reduction);
+    const double tolerance = input.tolerance;
+    const double unbalanced_mass = *result.unbalanced_mass;
+    const double unbalance = unbalanced_mass * result.engine->crank_radius.value();
+    Message text;
+    switch (advice.kind) {
+        case Advice::Kind::none_needed:
+            return {Text::tr("Leave the plugs unchanged: the excess of %1 per crankpin is %2."),
+                    in_grams(unbalanced_mass), within(unbalance, tolerance)};
+        case Advice::Kind::option: {
+            const SolvedOption& option = *result.chosen();
+            const Message action = describe_action(option, option.take_off());
+            return option.residual_mass == 0.0 || option.by_method_alone()
+                       ? action
+                       : two_sentences(action, {Text::tr("This %1: %2."), over_or_under(option),
+                                                within(option.residual_unbalance, tolerance)});
+        }
+        case Advice::Kind::no_new_plug_data:
+            return Text::tr(
+                "The crankshaft is made for plugs of the new design: enter their mass and radius.");
+        case Advice::Kind::too_light:
+            text = {Text::tr("The parts are %1 per crankpin lighter than nominal (%2). Plugs can "
+                             "only be lightened: use heavier parts or heavier plugs."),
+                    in_grams(-unbalanced_mass), in_gram_millimetres(-unbalance)};
+            break;
+        case Advice::Kind::cannot_be_made: {
+            const SolvedOption& option = *result.chosen();
+            text = two_sentences(
+                option.machined()
+                    ? Message(Text::tr("“%1” would be suitable with %2 off each plug, but such a "
+                                       "plug cannot be made."),
+                              option_word(option.id).label, in_grams(option.reduction))
+                    : Message(Text::tr("“%1” would be suitable, but such a plug cannot be made."),
+                              option_word(option.id).label),
+                option.hindrance);
+            break;
+        }
+        case Advice::Kind::none_sufficient:
+        case Advice::Kind::none_light_enough: {
+            const SolvedOption& closest = *result.chosen();
+            text =
+                two_sentences(advice.kind == Advice::Kind::none_sufficient
+                                  ? Text::tr("No plug of this crankshaft can be made light enough.")
+                                  : Text::tr("No plug of this crankshaft has the required mass."),
+                              {Text::tr("The nearest option is “%1”, which %2: %3."),
+                               option_word(closest.id).label, over_or_under(closest),
+                               against(closest.residual_unbalance, tolerance)});
+            if (closest.residual_mass > 0.0) {
+                // Each piston counts once in the excess of its crankpin.
+                text = two_sentences(std::move(text), {Text::tr("Also take %1 off each piston."),
+                                                       in_grams(closest.residual_mass)});
+            }
+            break;
+        }
     }
-    return describe(advice, *result.unbalanced_mass, result.engine->crank_radius.value(),
-                    input.tolerance);
+    if (const auto other = advice.with_other_crankshaft) {
+        return two_sentences(
+            std::move(text),
+            {needs_new_crankshaft(*other)
+                 ? Text::tr("A crankshaft for the new plugs would be suitable: “%1”.")
+                 : Text::tr("A standard crankshaft would be suitable: “%1”."),
+             option_word(*other).label});
+    }
+    return text;
 }
 
 Verdict verdict_of_plugs(const Input& input, const Result& result) {
@@ -296,7 +410,7 @@ PlugDoubt plug_doubt(const Input& input, const Result& result) {
             {result.steel_plug, &Engine::steel_plug_mass, Text::tr("Steel plug")},
             {result.aluminium_plug, &Engine::aluminium_plug_mass, Text::tr("Aluminium plug")}};
     const auto& advice = result.advice;
-    const bool takes_aluminium = advice && advice->option && !has_steel_plugs(advice->option->id);
+    const bool takes_aluminium = advice && advice->option && !has_steel_plugs(*advice->option);
     PlugDoubt doubt;
     for (const auto& [mass, member, name] : plugs) {
         if (!mass || mass->fits) {
@@ -311,7 +425,7 @@ PlugDoubt plug_doubt(const Input& input, const Result& result) {
                                        "weighs %3. Enter its bore or weigh the plug.")
                             : Text::tr("%1: %2 entered, but a plug of these dimensions weighs "
                                        "%3. Weigh the plug."),
-                      name, shop::in_grams(mass->typed),
+                      name, in_grams(mass->typed),
                       Number{mass->geometry / units::gram, units::gram, -1}},
                      !solid || mass->typed > mass->geometry};
         }

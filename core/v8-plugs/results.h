@@ -19,8 +19,14 @@ namespace ravnoves::v8_plugs {
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
                  const std::optional<shop::Matched>& placing, const std::optional<double>& speed);
 
-/// The work on the plugs as a sentence; where the neglected shift of their centre of mass matters,
-/// with the mass that counts it.
+/// The instruction of an option, with the mass to take off each plug, kg.
+Message describe_action(const Option& option, double reduction);
+/// Why an option does not work (residual beyond the tolerance); empty where it does.
+Message describe_failure(const Option& option, double tolerance);
+/// "works", within which tolerance it does, or why it does not.
+Message describe_verdict(const Option& option, double tolerance);
+/// The work on the plugs as a technician would say it; where the neglected shift of their centre of
+/// mass matters, with the mass that counts it.
 Message plug_work(const Input& input, const Result& result);
 
 /// Whether the plugs can compensate, without machine and warnings.

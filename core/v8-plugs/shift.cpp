@@ -7,18 +7,13 @@ namespace ravnoves::v8_plugs {
 
 namespace {
 
-/// Where the cut that takes so much off lies, m beyond the plug's centre of mass.
-double distance_of_cut(const BoreSetup& setup, double reduction) {
-    return plan_boring(setup.plug, setup.limits, reduction, setup.density).cut_distance;
-}
-
 /// x (r_p + d(x)) = Δm r_p: what is cut counts at its own radius, not at that of the plug.
 double bored_reduction(const Option& option, const BoreSetup& setup) {
     const double wanted = option.required_reduction * option.plug_radius;
     double low = 0.0;
     double high = option.max_reduction;
     const auto removed = [&](double x) {
-        return x * (option.plug_radius + distance_of_cut(setup, x));
+        return x * (option.plug_radius + plan_boring(setup, x).cut_distance);
     };
     if (removed(high) <= wanted) {
         return high;
@@ -53,8 +48,7 @@ std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
     effect.planned = setup.has_value();
     if (setup) {
         // The body's own shift; what is cut off counts at its radius, whatever the plug weighs.
-        const Boring boring =
-            plan_boring(setup->plug, setup->limits, option.reduction, setup->density);
+        const Boring boring = plan_boring(*setup, option.reduction);
         effect.min_shift = effect.max_shift = boring.shift;
         effect.minimum = effect.maximum = 2.0 * option.reduction * boring.cut_distance;
     } else {
@@ -68,15 +62,22 @@ std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
     effect.residual_unbalance = std::abs(one) > std::abs(other) ? one : other;
     effect.matters = option.feasible && std::abs(effect.residual_unbalance) > tolerance;
     if (setup) {
-        effect.min_reduction = effect.max_reduction = bored_reduction(option, *setup);
-        const Boring boring =
-            plan_boring(setup->plug, setup->limits, effect.min_reduction, setup->density);
+        effect.min_reduction = effect.max_reduction = effect.reduction =
+            bored_reduction(option, *setup);
+        const Boring boring = plan_boring(*setup, effect.reduction);
         if (boring.limit == Boring::Limit::none) {
             effect.depth = boring.depth;
         }
     } else {
         effect.min_reduction = shifted_reduction(option, effect.max_shift);
         effect.max_reduction = shifted_reduction(option, effect.min_shift);
+        effect.reduction = shifted_reduction(option, 0.5 * (effect.min_shift + effect.max_shift));
+        const double mass = option.plug_mass_unmachined;
+        for (const double shift : {effect.min_shift, effect.max_shift}) {
+            const double left = (mass - effect.reduction) * (option.plug_radius - shift) -
+                                (mass - option.required_reduction) * option.plug_radius;
+            effect.uncertainty = std::max(effect.uncertainty, 2.0 * std::abs(left));
+        }
     }
     return effect;
 }
@@ -96,17 +97,18 @@ Message describe(const ShiftEffect& effect, double tolerance) {
                                "%4 in the paper: the residual is up to %1, permissible %2."),
                       beyond, allowed, Number{smallest_shift / units::mm, units::mm, 0, true},
                       Number{largest_shift / units::mm, units::mm});
-    const Number minimum = shop::in_grams(effect.min_reduction);
+    const Number off = shop::in_grams(effect.reduction);
     if (!effect.planned) {
-        return two_sentences(
-            neglect, {Text::tr("Enter the plug's sizes and the cutter, or take off %1 to %2 each."),
-                      minimum, shop::in_grams(effect.max_reduction)});
+        return shop::two_sentences(
+            neglect, {Text::tr("Enter the plug's sizes and the cutter, or take off %1 each: the "
+                               "residual is then up to %2."),
+                      off, shop::in_gram_millimetres(effect.uncertainty)});
     }
     if (!effect.depth) {
-        return two_sentences(neglect, {Text::tr("Take off %1 each."), minimum});
+        return shop::two_sentences(neglect, {Text::tr("Take off %1 each."), off});
     }
-    return two_sentences(neglect, {Text::tr("Bore to %1 from the face, %2 off each plug."),
-                                   Number{*effect.depth / units::mm, units::mm, -2}, minimum});
+    return shop::two_sentences(neglect, {Text::tr("Bore to %1 from the face, %2 off each plug."),
+                                         Number{*effect.depth / units::mm, units::mm, -2}, off});
 }
 
 }  // namespace ravnoves::v8_plugs

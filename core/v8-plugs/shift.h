@@ -26,19 +26,17 @@ struct ShiftEffect {
     /// of the plug. For the maximum and for the minimum shift.
     double min_reduction = 0.0;
     double max_reduction = 0.0;
+    /// The same for the shift halfway, where both ends of the range leave the same residual; and
+    /// that residual, kg·m.
+    double reduction = 0.0;
+    double uncertainty = 0.0;
     std::optional<double> depth;  ///< of the bore for that, from the face, m; where planned
 
     friend bool operator==(const ShiftEffect&, const ShiftEffect&) = default;
 };
 
-/// How the plugs are bored, where that is known.
-struct BoreSetup {
-    PlugGeometry plug;
-    BoreLimits limits;
-    double density;  ///< kg/m³
-};
-
 /// Nothing where the option takes nothing off its plugs.
+/// @param setup  where it is known
 std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
                                         const std::optional<BoreSetup>& setup);
 

@@ -1,5 +1,7 @@
 #include "v8-plugs/solver.h"
 
+#include <cmath>
+
 namespace ravnoves::v8_plugs {
 
 namespace {
@@ -27,7 +29,7 @@ void solve_plug(const Input& input, Result& result) {
             option->hindrance = *fault;
         } else if (limits && !fault && !has_new_plugs(option->id)) {
             setup = BoreSetup{*geometry, *limits, input.plug->density(material_of(option->id))};
-            option->boring = plan_boring(*geometry, *limits, option->reduction, setup->density);
+            option->boring = plan_boring(*setup, option->reduction);
             if (option->boring->limit != Boring::Limit::none) {
                 option->hindrance = describe(*option->boring, *limits);
                 setup.reset();
@@ -64,6 +66,52 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
     }
 }
 
+/// The first option that works in the order of cost (nothing, steel plugs, aluminium plugs) among
+/// those for the crankshaft that is fitted.
+Advice advise(const Input& input, const Result& result) {
+    const double excess = result.unbalanced_mass.value();
+    if (std::abs(excess * result.engine->crank_radius.value()) <= input.tolerance) {
+        return {Advice::Kind::none_needed};
+    }
+    Advice advice{Advice::Kind::no_new_plug_data};
+    const SolvedOption* not_made = nullptr;  // the first that would do
+    const SolvedOption* nearest = nullptr;
+    bool any_over = false;
+    for (const auto& option : result.options) {  // in the order of cost
+        if (!option) {
+            continue;
+        }
+        const bool is_fitted =
+            needs_new_crankshaft(option->id) == (input.crankshaft == Crankshaft::new_plugs);
+        if (is_fitted && option->works()) {
+            return {Advice::Kind::option, option->id};
+        }
+        if (!is_fitted) {
+            if (option->works() && !advice.with_other_crankshaft) {
+                advice.with_other_crankshaft = option->id;
+            }
+        } else if (option->feasible) {
+            not_made = not_made != nullptr ? not_made : &*option;
+        } else {
+            any_over = any_over || option->residual_mass < 0;
+            if (nearest == nullptr ||
+                std::abs(option->residual_mass) < std::abs(nearest->residual_mass)) {
+                nearest = &*option;
+            }
+        }
+    }
+    if (not_made != nullptr) {
+        advice.kind = Advice::Kind::cannot_be_made;
+        advice.option = not_made->id;
+    } else if (nearest != nullptr) {
+        advice.kind = excess < 0 ? Advice::Kind::too_light
+                      : any_over ? Advice::Kind::none_light_enough
+                                 : Advice::Kind::none_sufficient;
+        advice.option = nearest->id;
+    }
+    return advice;
+}
+
 }  // namespace
 
 Result solve(const Input& input, bool changes_known) {
@@ -86,9 +134,7 @@ Result solve(const Input& input, bool changes_known) {
     }
     solve_plug(input, result);
     if (can_advise) {
-        result.advice =
-            advise(*result.engine, input.crankshaft, *result.unbalanced_mass, input.tolerance,
-                   [&](const Option& option) { return result.option(option.id)->hindrance; });
+        result.advice = advise(input, result);
     }
     solve_bob_weights(input, changes_known, result);
     if (input.weigh_in && input.weigh_in->is_counted() && k) {

@@ -9022,8 +9022,16 @@
         <translation>Требуется снять с заглушки</translation>
     </message>
     <message>
+        <source>Off each plug, paper&apos;s method</source>
+        <translation>Снять с заглушки по методу статьи</translation>
+    </message>
+    <message>
         <source>Take off each plug</source>
         <translation>Снять с заглушки</translation>
+    </message>
+    <message>
+        <source>With the shift of the plug&apos;s centre of mass, where the shift matters.</source>
+        <translation>С учётом смещения центра масс заглушки, где оно существенно.</translation>
     </message>
     <message>
         <source>Remains</source>
@@ -10306,8 +10314,8 @@
         <translation>Метод пренебрегает смещением центра масс заглушки, в статье %3–%4: остаток до %1, допустимо %2.</translation>
     </message>
     <message>
-        <source>Enter the plug&apos;s sizes and the cutter, or take off %1 to %2 each.</source>
-        <translation>Введите размеры заглушки и фрезу или снимите от %1 до %2 с каждой заглушки.</translation>
+        <source>Enter the plug&apos;s sizes and the cutter, or take off %1 each: the residual is then up to %2.</source>
+        <translation>Введите размеры заглушки и фрезу или снимите по %1 с каждой заглушки: тогда остаток до %2.</translation>
     </message>
     <message>
         <source>Take off %1 each.</source>

@@ -277,7 +277,7 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
                                     ? words.translate("JobCard", "only by the method")
                                     : words.translate("JobCard", "works");
         options.table.rows << ResultRow{
-            v8_text::optionName(words, id), words.cell(option->required_reduction, units::gram, 3),
+            v8_text::optionName(words, id), words.cell(option->take_off(), units::gram, 3),
             words.cell(option->max_reduction, units::gram, 3),
             words.cell(option->residual_unbalance, units::gram_mm, 1),
             model.isFitted(id)

@@ -49,7 +49,7 @@ TEST(PlugGeometryTest, SolidPlugBoredNineTenths) {
     const PlugGeometry plug{
         {30 * millimetre, 1.5 * millimetre}, 14 * millimetre, 20 * millimetre, 8 * millimetre};
     const BoreLimits limits{20 * millimetre, 1 * millimetre, 2 * millimetre};
-    const Boring boring = plan_boring(plug, limits, 1.83 * gram, steel_density);
+    const Boring boring = plan_boring({plug, limits, steel_density}, 1.83 * gram);
     EXPECT_NEAR(boring.deeper / millimetre, 1.83 / (7.85e-3 * 100 * pi), 1e-9);
     EXPECT_EQ(boring.limit, Boring::Limit::none);
     EXPECT_EQ(describe(boring, limits).english(),
@@ -75,7 +75,7 @@ TEST(PlugGeometryTest, BoringRemovesExactlyWhatWasAsked) {
                                 workshop.between(0, 2) * millimetre,
                                 workshop.between(0, 3) * millimetre};
         const double reduction = workshop.between(0, 0.5) * mass;
-        const Boring boring = plan_boring(plug, limits, reduction, density);
+        const Boring boring = plan_boring({plug, limits, density}, reduction);
         EXPECT_NEAR(bored_mass(plug, limits.cutter_diameter, boring.depth, density), reduction,
                     1e-12 * mass);
         EXPECT_GE(boring.deeper, 0.0);
@@ -91,7 +91,8 @@ TEST(PlugGeometryTest, BoringRemovesExactlyWhatWasAsked) {
             // centre of mass where the plan says.
             PlugGeometry same = plug;
             same.bore_diameter = limits.cutter_diameter;
-            const Boring deeper = plan_boring(same, limits, 0.3 * same.volume() * density, density);
+            const Boring deeper =
+                plan_boring({same, limits, density}, 0.3 * same.volume() * density);
             if (same.volume() > 0 && !geometry_fault(same) && deeper.limit == Boring::Limit::none) {
                 PlugGeometry after = same;
                 after.bore_depth = deeper.depth;

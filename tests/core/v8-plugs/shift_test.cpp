@@ -6,6 +6,7 @@
 
 #include "support.h"
 #include "v8-plugs/presets.h"
+#include "v8-plugs/results.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
@@ -47,15 +48,14 @@ TEST(Shift, OfABoredPlugIsThatOfTheBody) {
         const double excess = 2.36 * workshop.between(0.01, 0.3) * *plugs.steel_plug_mass;
         const Option option = option_of(plugs, excess);
         const BoreSetup setup{plug, {bore, 0.0, 0.0}, steel_density};
-        if (plan_boring(plug, setup.limits, option.reduction, steel_density).limit !=
-            Boring::Limit::none) {
+        if (plan_boring(setup, option.reduction).limit != Boring::Limit::none) {
             continue;  // pierced
         }
         const auto effect = shift_effect(option, tolerance, setup);
         ASSERT_TRUE(effect);
         const auto taken = [&](double reduction) {
             PlugGeometry after = plug;
-            after.bore_depth = plan_boring(plug, setup.limits, reduction, steel_density).depth;
+            after.bore_depth = plan_boring(setup, reduction).depth;
             return 2.0 * (plug_moment(plug, plug, *plugs.plug_radius, steel_density) -
                           plug_moment(after, plug, *plugs.plug_radius, steel_density));
         };
@@ -95,9 +95,14 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
     EXPECT_EQ(describe(effect, tolerance).english(),
               "The method neglects the shift of the plug's centre of mass, 0.8 to 1.2 mm in the "
               "paper: the residual is up to 6.9 g·mm, permissible 5.0 g·mm. Enter the plug's sizes "
-              "and the cutter, or take off 1.10 g to 1.12 g each.");
-    EXPECT_EQ(describe_action(option, effect.min_reduction, effect.max_reduction).english(),
-              "Take 1.10…1.12 g off each of the 8 steel plugs.");
+              "and the cutter, or take off 1.11 g each: the residual is then up to 1.2 g·mm.");
+    EXPECT_EQ(describe_action(option, effect.reduction).english(),
+              "Take 1.11 g off each of the 8 steel plugs.");
+    // Halfway what either end leaves is the same, and less than anywhere else.
+    for (const double shift : {0.8 * millimetre, 1.2 * millimetre}) {
+        EXPECT_NEAR(2.0 * std::abs(weight(effect.reduction, shift) - counted * *plugs.plug_radius),
+                    effect.uncertainty, 1e-15);
+    }
     // Of the smaller engine it stays within the tolerance.
     const Engine& small = *find_preset("4.25 l");
     EXPECT_FALSE(shift_effect(option_of(small, 3.0 * gram), tolerance, std::nullopt)->matters);

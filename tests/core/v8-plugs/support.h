@@ -30,6 +30,7 @@ class Workshop {
         engine.max_aluminium_reduction = *engine.aluminium_plug_mass * between(0, 0.9);
         engine.new_plug_radius = *engine.plug_radius * between(0.9, 1.2);
         engine.new_steel_plug_mass = *engine.steel_plug_mass * between(1, 2);
+        engine.new_aluminium_plug_mass = engine.aluminium_plug_mass;
         engine.reciprocating_mass = between(300, 5000) * gram;
         engine.rotating_mass = between(300, 5000) * gram;
         engine.oil_mass = between(0, 100) * gram;

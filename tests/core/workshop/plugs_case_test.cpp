@@ -172,8 +172,9 @@ TEST(Result, ABoreDeeperThanThePlugIsNotRecommended) {
     result = solved(input);
     EXPECT_TRUE(result["recommended"].is_null()) << result["recommended"];
     EXPECT_EQ(result["state"], "fails");
-    EXPECT_NE(result["reason"].get<std::string>().find("A cutter of"), std::string::npos)
-        << result["reason"];
+    const std::string reason = result["reason"];
+    EXPECT_TRUE(reason.starts_with("“Aluminium plugs” would be suitable with ")) << reason;
+    EXPECT_NE(reason.find("such a plug cannot be made. A cutter of"), std::string::npos) << reason;
     input["plug"]["bore_depth_mm"] = 2.5;
     EXPECT_NE(error_of(input).find("no bottom remains"), std::string::npos) << error_of(input);
 }
@@ -369,7 +370,15 @@ TEST(Shift, MakesTheAnswerAmber) {
     Json result = solved(json);
     EXPECT_EQ(result.at("recommended"), "steel-machined");
     EXPECT_EQ(result.at("state"), "warning");
-    EXPECT_NE(result.at("warning").get<std::string>().find("1.10 g to 1.12 g"), std::string::npos);
+    EXPECT_NE(result.at("warning").get<std::string>().find("take off 1.11 g each"),
+              std::string::npos);
+    // One number wherever it is said; the method's own is beside it.
+    EXPECT_EQ(result.at("reason"), "Take 1.11 g off each of the 8 steel plugs.");
+    const auto off = [&](const char* key) {
+        return number(result.at("options").at("steel-machined"), key);
+    };
+    EXPECT_NEAR(off("/take_off_g"), 1.111, 1e-3);
+    EXPECT_NEAR(off("/reduction_g"), 1.159, 1e-3);
     const Json& effect = at(result, "/options/steel-machined/shift_effect");
     EXPECT_TRUE(effect.at("beyond_tolerance").get<bool>());
     EXPECT_EQ(effect.at("from"), "range");
@@ -386,6 +395,7 @@ TEST(Shift, MakesTheAnswerAmber) {
     result = solved(json);
     EXPECT_EQ(result.at("state"), "works");
     EXPECT_FALSE(result.contains("warning"));
+    EXPECT_EQ(off("/take_off_g"), off("/reduction_g"));
     json["tolerance_g_mm"] = 5;
     json["mass_changes_g"]["repair_piston_and_rings"] = 100.0;
     EXPECT_EQ(solved(json).at("state"), "fails");

@@ -167,7 +167,7 @@ TEST_F(PlugsPageTest, PlotsShowLinesLimitsAndToday) {
         EXPECT_FALSE(plot->valueAt(curve, option->max_reduction / gram + 0.01));
     }
     // Today's excess as a line, the option chosen as a ring on it.
-    const Option& chosen = *model->plugs()->advice->option;
+    const Option& chosen = *model->plugs()->chosen();
     const double excess = *model->plugs()->unbalanced_mass / gram;
     const Figure figure = std::get<Figure>(model->part("compensation"));
     ASSERT_EQ(figure.lines.size(), 1U);

@@ -84,9 +84,9 @@ void plug_engines::noteInJournal(JournalJob& job, const v8_plugs::Input& input,
     if (solution.advice->kind == Advice::Kind::none_needed) {
         job.recommended = QStringLiteral("none-needed");
     } else if (solution.advice->kind == Advice::Kind::option) {
-        const Option& option = *solution.advice->option;
+        const SolvedOption& option = *solution.chosen();
         job.recommended = QString::fromStdString(std::string(option_word(option.id).word));
-        job.reduction = option.reduction / units::gram;
+        job.reduction = option.take_off() / units::gram;
     } else if (solution.advice->kind != Advice::Kind::no_new_plug_data) {
         job.recommended = QStringLiteral("not-compensated");
     }

@@ -232,7 +232,7 @@ Results WorkshopModel::optionResults() const {
              Words().cell(option->constant, units::gram, 3),
              Words().cell(option->slope, units::none, 3),
              Words().cell(option->maximum, units::gram, 3),
-             Words().cell(option->required_reduction, units::gram, 3),
+             Words().cell(option->take_off(), units::gram, 3),
              Words().cell(option->residual_mass, units::gram, 3),
              Words().cell(option->residual_unbalance, units::gram_mm, 1)},
             optionTip(*option));
