@@ -265,6 +265,7 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     if (visitor.wants(key::not_counted.key)) {
         visitor.texts(key::not_counted, shop::both(replaced(input), not_counted(input)));
     }
+    visitor.texts({"notes"}, [&] { return std::vector{rod_note(input, result)}; });
     visitor.object({"options", Text::tr("Options")}, [&] {
         for (const OptionId id : all_options) {
             visitor.object({option_word(id).word, option_word(id).label, 0, {}, units::none}, [&] {
@@ -434,6 +435,53 @@ PlugDoubt plug_doubt(const Input& input, const Result& result) {
         }
     }
     return doubt;
+}
+
+Message rod_note(const Input& input, const Result& result) {
+    const auto k = input.rod_coefficient();
+    if (!k || !result.unbalanced_mass || !input.engine.crank_radius) {
+        return {};
+    }
+    if (k != input.engine.rod_coefficient) {
+        return Text::tr("Big end × 2: the small ends are weighed, kᵣ is not used.");
+    }
+    const double effect = *k * result.changes.rod_big_end;
+    return {Text::tr("Big end × %1: 2 for two rods, kᵣ = %2 by the method for the small ends, "
+                     "which are not weighed; effect here: %3, %4."),
+            Number{2.0 + *k, units::none, -3, false, true},
+            Number{*k, units::none, -3, false, true}, in_grams(effect),
+            in_gram_millimetres(effect * *input.engine.crank_radius)};
+}
+
+std::vector<Message> paper_limits(const Input& input, const Result& result) {
+    std::vector<Message> list;
+    const Engine* preset = find_preset(input.preset);
+    const auto check = [&](std::optional<double> Engine::*limit,
+                           std::optional<double> Engine::*mass, OptionId id) {
+        const bool is_own =
+            input.plug ? !is_printed(input, mass) : input.engine.*mass != preset->*mass;
+        if (!is_own || !(preset->*limit) || input.engine.*limit != preset->*limit) {
+            return;
+        }
+        const auto field = std::ranges::find(engine_fields(), limit, &EngineField::member);
+        const Number grams = in_grams(*(preset->*limit));
+        const auto& option = result.option(id);
+        if (option && option->boring) {
+            list.emplace_back(Text::tr("%1: %2 is the paper's limit for its plug; the walls of "
+                                       "this plug allow %3. Enter the limit of this plug."),
+                              field->field.label, grams, in_grams(option->boring->max_reduction));
+        } else {
+            list.emplace_back(Text::tr("%1: %2 is the paper's limit for its plug. Enter the limit "
+                                       "of this plug."),
+                              field->field.label, grams);
+        }
+    };
+    if (preset != nullptr) {
+        check(&Engine::max_steel_reduction, &Engine::steel_plug_mass, OptionId::steel_machined);
+        check(&Engine::max_aluminium_reduction, &Engine::aluminium_plug_mass,
+              OptionId::steel_to_aluminium);
+    }
+    return list;
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -39,6 +39,13 @@ struct PlugDoubt {
 };
 PlugDoubt plug_doubt(const Input& input, const Result& result);
 
+/// How often a heavier big end counts, and for what; empty while that is not known.
+Message rod_note(const Input& input, const Result& result);
+
+/// A sentence for each limit of a plug that is the paper's, where mass or sizes of that plug are
+/// other ones.
+std::vector<Message> paper_limits(const Input& input, const Result& result);
+
 /// The formulas that the result of this input rests on, in the order of the computation.
 std::vector<Formula> formulas(const Input& input);
 

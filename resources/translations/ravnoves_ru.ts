@@ -10322,6 +10322,22 @@
         <translation>Снимите по %1 с каждой заглушки.</translation>
     </message>
     <message>
+        <source>Big end × 2: the small ends are weighed, kᵣ is not used.</source>
+        <translation>Головка × 2: верхние головки взвешены, kᵣ не учитывается.</translation>
+    </message>
+    <message>
+        <source>Big end × %1: 2 for two rods, kᵣ = %2 by the method for the small ends, which are not weighed; effect here: %3, %4.</source>
+        <translation>Головка × %1: 2 за два шатуна, kᵣ = %2 по методу за верхние головки, которые не взвешены; влияние здесь: %3, %4.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is the paper&apos;s limit for its plug; the walls of this plug allow %3. Enter the limit of this plug.</source>
+        <translation>%1: %2 — предел статьи для её заглушки; стенки этой заглушки допускают %3. Введите предел этой заглушки.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is the paper&apos;s limit for its plug. Enter the limit of this plug.</source>
+        <translation>%1: %2 — предел статьи для её заглушки. Введите предел этой заглушки.</translation>
+    </message>
+    <message>
         <source>Bore to %1 from the face, %2 off each plug.</source>
         <translation>Расточите на %1 от торца, по %2 с каждой заглушки.</translation>
     </message>
@@ -10449,14 +10465,6 @@
     <message>
         <source>With the plugs removed. With the plugs fitted use %1.</source>
         <translation>Без заглушек. С заглушками навесьте %1.</translation>
-    </message>
-    <message>
-        <source>Big end × 2: the small ends are weighed, kᵣ is not used.</source>
-        <translation>Головка × 2: верхние головки взвешены, kᵣ не учитывается.</translation>
-    </message>
-    <message>
-        <source>Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.</source>
-        <translation>Головка × %1: 2 за два шатуна, kᵣ = %2 по методу; влияние здесь: %3.</translation>
     </message>
     <message>
         <source>Would match nominal, but cannot be made.</source>

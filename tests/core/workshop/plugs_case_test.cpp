@@ -115,6 +115,24 @@ TEST(ShiftEffect, IsCorrectedInTheOrderOfItsShiftsAndSaysWhatIsBeyond) {
     EXPECT_TRUE(far.at("beyond_tolerance").get<bool>());
 }
 
+// The same big ends count with kᵣ where nobody has weighed the small ends, and the result says so.
+TEST(RodCoefficient, IsNamedWithItsEffect) {
+    Json input = example();
+    input["mass_changes_g"] = {{"rod_big_end", 1.3}};
+    const auto notes = [&] { return solved(input).at("notes")[0].get<std::string>(); };
+    const double typed = number(solved(input), "/unbalanced_mass_g");
+    EXPECT_EQ(notes(),
+              "Big end × 2.445: 2 for two rods, kᵣ = 0.445 by the method for the small ends, which "
+              "are not weighed; effect here: 0.58 g, 23.1 g·mm.");
+    input["mass_changes_from"] = "weigh-in";
+    input["weigh_in"]["rod_big_end"] = {{"nominal_g", 600}, {"mass_g", std::vector(8, 601.3)}};
+    EXPECT_NEAR(number(solved(input), "/unbalanced_mass_g"), typed, 1e-9);
+    EXPECT_NE(notes().find("23.1 g·mm"), std::string::npos);
+    input["weigh_in"]["rod_small_end"] = {{"nominal_g", 230}, {"mass_g", std::vector(8, 230.0)}};
+    EXPECT_NEAR(typed - number(solved(input), "/unbalanced_mass_g"), 0.445 * 1.3, 1e-9);
+    EXPECT_EQ(notes(), "Big end × 2: the small ends are weighed, kᵣ is not used.");
+}
+
 TEST(Example, Repair) {
     const Json document = ravnoves::test::check_example("v8-4.25-repair");
     EXPECT_EQ(document.at("result").at("recommended"), "steel-machined");

@@ -135,14 +135,13 @@ QString WorkshopModel::plugsWhileHung(const Words& words) const {
 }
 
 QString WorkshopModel::checkText() const {
-    if (plugs() == nullptr || !plugs()->before) {
+    if (plugs() == nullptr) {
         return {};
     }
     const Words words;
     const v8_plugs::Result& solution = *plugs();
-    const v8_plugs::Engine& engine = plugsInput()->engine;
     QStringList said;
-    if (solution.nominal) {
+    if (solution.before && solution.nominal) {
         const double difference = solution.hung_weight()->sum() - solution.nominal->sum();
         // Rounding of the sum, not a difference.
         const bool isNone = std::abs(difference) < 1e-9 * solution.nominal->sum();
@@ -153,20 +152,11 @@ QString WorkshopModel::checkText() const {
                  : isNone ? words.translate("V8", "Matches nominal: balanced.")
                           : words.translate("V8", "Difference from nominal: %1 (%2).")
                                 .arg(grams(words, difference),
-                                     gramMillimetres(
-                                         words, difference * engine.crank_radius.value_or(0.0))));
+                                     gramMillimetres(words,
+                                                     difference * *solution.engine->crank_radius)));
     }
-    const auto k = plugsInput()->rod_coefficient();
-    if (k && k != engine.rod_coefficient) {
-        said << words.translate("V8", "Big end × 2: the small ends are weighed, kᵣ is not used.");
-    } else if (k) {
-        said << words
-                    .translate(
-                        "V8",
-                        "Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.")
-                    .arg(words.plain(2.0 + *k, 3), words.plain(*k, 3),
-                         grams(words, *k * solution.changes.rod_big_end));
-    }
+    said << words.message(rod_note(*plugsInput(), solution));
+    said.removeAll(QString());
     return said.join(QLatin1Char(' '));
 }
 
