@@ -253,6 +253,32 @@ Messages plug_doubt(const DoubtCase& job) {
     return doubt.text.empty() || doubt.is_certain != certain ? Messages() : Messages{doubt.text};
 }
 
+Messages paper_limits(const DoubtCase& job) {
+    return job.plugs != nullptr ? v8_plugs::paper_limits(*job.plugs_input, *job.plugs) : Messages();
+}
+
+/// A sludge trap is in a crankpin, whose axis is at the crank radius.
+Messages plug_radius(const DoubtCase& job) {
+    constexpr double nearest = 0.5;
+    constexpr double farthest = 2.0;
+    using v8_plugs::Engine;
+    Messages list;
+    const auto crank =
+        job.plugs_input != nullptr ? job.plugs_input->engine.crank_radius : std::nullopt;
+    for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
+        const bool is_of_plug =
+            each.member == &Engine::plug_radius || each.member == &Engine::new_plug_radius;
+        const auto radius =
+            crank && is_of_plug ? job.plugs_input->engine.*each.member : std::nullopt;
+        if (radius && (*radius < nearest * *crank || *radius > farthest * *crank)) {
+            list.emplace_back(Text::tr("%1: %2 does not match a crank radius of %3. Correct the "
+                                       "wrong value."),
+                              each.field.label, millimetres(*radius), millimetres(*crank));
+        }
+    }
+    return list;
+}
+
 /// Whether the plugs are answered by weights, and this part counts by its nominal mass as long as
 /// not all of it is weighed.
 bool is_nominal(const DoubtCase& job, Part part) {
@@ -490,6 +516,67 @@ Messages drilled_otherwise(const DoubtCase& job) {
                 plane_name(job, i), at_angle(now.unbalance, *now.angle),
                 at_angle(other->expected, other->expected_angle)};
     });
+}
+
+/// Deeper than any hole may be drilled: a slip of the keyboard where by half and more.
+template <bool implausible>
+Messages drilled_too_deep(const DoubtCase& job) {
+    constexpr double slip = 1.5;
+    constexpr double rounding = 1e-9;
+    const auto& correction = job.input.correction;
+    const auto maximum = correction ? correction->drill.maximum_depth : std::nullopt;
+    return of_planes([&](std::size_t i) -> Message {
+        double deepest = 0.0;
+        for (std::size_t run = 0; maximum && run < correction->earlier_runs.size(); ++run) {
+            const auto& drilled = correction->earlier_runs[run].drilled;
+            for (std::size_t at = 0; drilled && at < drilled->size(); ++at) {
+                const bob_weights::DrilledHole& hole = (*drilled)[at];
+                if (static_cast<std::size_t>(hole.plane) == i &&
+                    hole.state != bob_weights::HoleState::not_drilled) {
+                    deepest = std::max(deepest, hole.depth);
+                }
+            }
+        }
+        if (!maximum || deepest <= *maximum + rounding ||
+            (deepest > slip * *maximum) != implausible) {
+            return {};
+        }
+        return {Text::tr("%1: a recorded hole is %2 deep, the maximum depth is %3. Correct the "
+                         "wrong value."),
+                plane_name(job, i), millimetres(deepest), millimetres(*maximum)};
+    });
+}
+
+/// Names of the ends exchanged. Left may be either end, depending on how the crankshaft lies.
+template <bool certain>
+Messages swapped_planes(const DoubtCase& job) {
+    struct Ends {
+        std::string_view front;
+        std::string_view rear;
+        bool is_certain;
+    };
+    static constexpr Ends pairs[] = {{"Front", "Rear", true},      {"Front", "Back", true},
+                                     {"Pulley", "Flywheel", true}, {"Перед", "Зад", true},
+                                     {"Шкив", "Маховик", true},    {"Left", "Right", false},
+                                     {"Лев", "Прав", false}};
+    const Message names[] = {plane_name(job, 0), plane_name(job, 1)};
+    const std::string front = names[0].english();
+    const std::string rear = names[1].english();
+    const bool is_swapped = std::ranges::any_of(pairs,
+                                                [&](const Ends& ends) {
+                                                    return ends.is_certain == certain &&
+                                                           (front.starts_with(ends.rear) ||
+                                                            rear.starts_with(ends.front));
+                                                }) ||
+                            (certain && front == rear);
+    if (!job.input.correction || !is_swapped) {
+        return {};
+    }
+    return {{certain ? Text::tr("The front plane is named “%1”, the rear plane “%2”. Correct the "
+                                "names.")
+                     : Text::tr("The front plane is named “%1”, the rear plane “%2”. Check that "
+                                "the readings are entered in this order."),
+             names[0], names[1]}};
 }
 
 template <bool shaft>
@@ -844,6 +931,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"much-oil", error, all, "", much_oil},
         {"share-of-one", error, all, "", share_of_one},
         {"plug-mass", error, all, "", plug_doubt<true>},
+        {"plug-radius", error, all, "", plug_radius},
         {"half-weighed", error, all, "", half_weighed},
         {"unknown-bob-weight", error, judged, "", unknown_bob_weight},
         {"other-crankshaft", error, judged, "", other_readings<true>},
@@ -860,9 +948,12 @@ std::span<const DoubtRule> doubt_rules() {
         {"bearings", error, judged, "", bearings},
         {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
+        {"drilled-too-deep", error, judged, drilled_act, drilled_too_deep<true>},
+        {"swapped-planes", error, judged, "", swapped_planes<true>},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
+        {"paper-limit", warning, nothing, "", paper_limits},
         {"gear-against-parts", warning, nothing, "", gear_against_parts},
         {"plug-shift", warning, nothing, "", plug_shift},
         {"unequal-crankpins", warning, nothing, "", unequal_crankpins},
@@ -872,6 +963,8 @@ std::span<const DoubtRule> doubt_rules() {
         {"amplification", warning, nothing, "", amplification},
         {"reading-in-grams", warning, nothing, "", reading_in_grams},
         {"drill-size", warning, nothing, "", drill_size},
+        {"drilled-deep", warning, nothing, "", drilled_too_deep<false>},
+        {"left-and-right", warning, nothing, "", swapped_planes<false>},
         {"beyond-sector", warning, nothing, "", beyond_sector},
         {"all-round", warning, nothing, "", all_round},
     };

@@ -9566,6 +9566,22 @@
         <translation>Радиусы сверления %1 и %2: один похож на диаметр. Проверьте оба.</translation>
     </message>
     <message>
+        <source>%1: %2 does not match a crank radius of %3. Correct the wrong value.</source>
+        <translation>%1: %2 не соответствует радиусу кривошипа %3. Исправьте неверное значение.</translation>
+    </message>
+    <message>
+        <source>%1: a recorded hole is %2 deep, the maximum depth is %3. Correct the wrong value.</source>
+        <translation>%1: записано отверстие глубиной %2, максимальная глубина %3. Исправьте неверное значение.</translation>
+    </message>
+    <message>
+        <source>The front plane is named “%1”, the rear plane “%2”. Correct the names.</source>
+        <translation>Передняя плоскость названа «%1», задняя «%2». Исправьте названия.</translation>
+    </message>
+    <message>
+        <source>The front plane is named “%1”, the rear plane “%2”. Check that the readings are entered in this order.</source>
+        <translation>Передняя плоскость названа «%1», задняя «%2». Проверьте, что показания введены в этом порядке.</translation>
+    </message>
+    <message>
         <source>Part number</source>
         <translation>Номер детали</translation>
     </message>

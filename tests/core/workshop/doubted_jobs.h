@@ -36,9 +36,14 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
     const auto of_nominal = [](double nominal, const Json& masses) {
         return Json{{"nominal_g", nominal}, {"mass_g", masses}};
     };
-    const auto hole = [](double angle_deg) {
-        return Json{
-            {"plane", "front"}, {"diameter_mm", 16}, {"depth_mm", 9}, {"angle_deg", angle_deg}};
+    const auto hole = [](double angle_deg, double depth_mm = 9) {
+        return Json{{"plane", "front"},
+                    {"diameter_mm", 16},
+                    {"depth_mm", depth_mm},
+                    {"angle_deg", angle_deg}};
+    };
+    const auto holes_before = [&](const Json& hole) {
+        return Json::array({{{"drilled", {hole}}}});
     };
     const auto read = [](double unbalance_g_mm, double angle_deg) {
         return Json{{"unbalance_g_mm", unbalance_g_mm}, {"angle_deg", angle_deg}};
@@ -65,6 +70,7 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
         {"nominal-against-weighed", {weighed_card, {{"/weigh_in/piston/nominal_g", 383.9}}}},
         {"share-of-one", {card, {{"/factor/reciprocating_percent", 0.5}}}},
         {"plug-mass", {plugs_card, {{"/plugs/engine/steel_plug_mass_g", 12}}}},
+        {"plug-radius", {plugs_card, {{"/plugs/engine/plug_radius_mm", 4.72}}}},
         {"half-weighed",
          {plugs_card,
           {{"/plugs/mass_changes_g", nullptr},
@@ -77,6 +83,16 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
            {"/plugs/mass_changes_from", "weigh-in"},
            {"/weigh_in/piston", of_nominal(560, eight(562))}}}},
         {"paper-plug", {plugs_card, {{"/plugs/plug", {{"thread", "M22x1.5"}, {"height_mm", 14}}}}}},
+        {"paper-limit",
+         {plugs_card,
+          {{"/plugs/engine", "4.25 l"},
+           {"/plugs/engine_overrides",
+            {{"steel_plug_mass_g", 28.5},
+             {"aluminium_plug_mass_g", 9.8},
+             {"oil_mass_g", 20},
+             {"oil_coefficient", 1},
+             {"reciprocating_mass_g", 1000},
+             {"rotating_mass_g", 650}}}}}},
         {"other-crankshaft",
          {card,
           {{"/job/crankshaft_number", "2"},
@@ -103,6 +119,10 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
           {{"/correction/earlier_runs",
             Json::array({{{"drilled", {hole(40)}}, {"drilled_counting_otherwise", true}}})}}}},
         {"drilled-otherwise", {card, {{"/correction/earlier_runs", run(read(1200, 290))}}}},
+        {"drilled-too-deep", {card, {{"/correction/earlier_runs", holes_before(hole(40, 50))}}}},
+        {"drilled-deep", {card, {{"/correction/earlier_runs", holes_before(hole(40, 33))}}}},
+        {"swapped-planes", {card, {{"/machine/planes", {"flywheel", "pulley"}}}}},
+        {"left-and-right", {card, {{"/machine/planes", {"Right", "left"}}}}},
         {"plane-radius", {plugs_card, {{"/correction/planes/1/radius_mm", 156}}}},
         {"implausible-radius", {card, {{"/correction/planes/1/radius_mm", 780}}}},
         {"deep-holes", {card, {{"/correction/drill/maximum_depth_mm", 250}}}},
@@ -133,7 +153,7 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
         {"beyond-sector",
          {card,
           {{"/correction/readings/0", read(600, 40)},
-           {"/correction/earlier_runs", Json::array({{{"drilled", {hole(40)}}}})},
+           {"/correction/earlier_runs", holes_before(hole(40))},
            {"/correction/planes/0/from_deg", 40},
            {"/correction/planes/0/to_deg", 120}}}},
         {"great-reading", {card, {{"/correction/readings/0/unbalance_g_mm", 85'000}}}},

@@ -357,6 +357,11 @@ TEST(Doubts, StopAtSlipsOfTheKeyboard) {
                           {plugs_card, "/plugs/engine/reciprocating_mass_g", 10000},
                           {plugs_card, "/plugs/engine/rotating_mass_g", 6500},
                           {plugs_card, "/plugs/engine/oil_mass_g", 300},
+                          {plugs_card, "/plugs/engine/new_plug_radius_mm", 493},
+                          {plugs_card, "/plugs/engine/crank_radius_mm", 400},
+                          {card, "/machine/planes", {"rear", ""}},
+                          {card, "/machine/planes", {"Left", "left"}},
+                          {card, "/machine/planes", {"задняя", "передняя"}},
                           {plugs_card, "/plugs/engine/oil_coefficient", 10},
                           {plugs_card, "/tolerance/service_speed_rpm", 320},
                           {plugs_card, "/correction/planes/0/radius_mm", 156}};

@@ -100,9 +100,10 @@ TEST_F(PlugsModelTest, PresetsBringThePrintedSizes) {
     EXPECT_TRUE(model.engineNote().contains(u"weigh the plugs"_s));
     const v8_plugs::Input printed = *model.input().plugs;
     model.editPlugs(u"mass"_s, [](auto& input) { input.engine.steel_plug_mass = 27.9e-3; });
-    ASSERT_EQ(model.doubts().size(), 1U);
+    ASSERT_EQ(model.doubts().size(), 2U);
     const QString doubt = Words().message(model.doubts().front().text);
     EXPECT_TRUE(has(doubt, u"27.9"_s));
+    EXPECT_EQ(model.doubts().back().rule->word, "paper-limit");
     model.editPlugs(u"printed"_s, [&](auto& input) { input = printed; });
     EXPECT_TRUE(isOfThePaper());
     EXPECT_FALSE(model.withheld().any()) << "there is no answer yet";
