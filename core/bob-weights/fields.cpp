@@ -197,7 +197,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
         if (visitor.is_reading() || visitor.creates_objects()) {
             sheet.fit(static_cast<std::size_t>(input.engine.cylinders));
         }
-        shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, false, true);
+        shop::visit_sheet(visitor, sheet, false);
     });
     visitor.choice(field::balance, input.balance, Balance::internal);
     visitor.object(field::correction, input.correction,

@@ -9,8 +9,6 @@ namespace ravnoves::bob_weights {
 inline constexpr Word type_words[] = {
     {"v", Text::tr("V")}, {"inline", Text::tr("In line")}, {"boxer", Text::tr("Boxer")}};
 inline constexpr Word rods_words[] = {{"1", Text::tr("One")}, {"2", Text::tr("Two")}};
-inline constexpr Word numbering_words[] = {{"bank-by-bank", Text::tr("Bank by bank")},
-                                           {"alternating", Text::tr("1 and 2, 3 and 4, …")}};
 inline constexpr Word balance_words[] = {
     {"internal", Text::tr("Internal: in the crankshaft alone")},
     {"external", Text::tr("External: damper and flywheel too")}};
@@ -76,12 +74,6 @@ inline constexpr Field overbalance_percent{
 
 // ---------------------------------------------------------------------------------- parts
 inline constexpr Field parts{.key = "parts_g", .hint = Text::tr("Masses of one cylinder's parts.")};
-inline constexpr Field numbering{.key = "cylinder_numbering",
-                                 .label = Text::tr("C&ylinders of a crankpin"),
-                                 .hint = Text::tr("The two cylinders that share a crankpin."),
-                                 .words = numbering_words};
-inline constexpr Field part_mass{
-    .key = "mass_g", .range = nominal.range, .hint = Text::tr("Masses by cylinder.")};
 inline constexpr Field balance{
     .key = "balance",
     .label = Text::tr("B&alanced"),

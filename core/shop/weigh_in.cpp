@@ -81,7 +81,7 @@ struct SetNumberList final : FieldVisitor::Custom {
 
 /// The weights of a column in a case file; null for what is not weighed yet.
 struct WeightList final : FieldVisitor::Custom {
-    WeightList(const Field& it, std::span<Weighed> list) : mass(it), weights(list) {}
+    explicit WeightList(std::span<Weighed> list) : weights(list) {}
 
     void read(const Json& masses, const std::string& pointer) override {
         if (!masses.is_array() || masses.size() != weights.size()) {
@@ -119,7 +119,7 @@ struct WeightList final : FieldVisitor::Custom {
         }
     }
 
-    const Field& mass;
+    static constexpr const Field& mass = field::part_mass;
     std::span<Weighed> weights;
 };
 
@@ -149,9 +149,8 @@ void WeighIn::fit(std::size_t cylinders) {
     }
 }
 
-void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, const Field& mass,
-                 bool nominal_needed, bool asks_radius) {
-    visitor.choice(numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
+void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, bool of_plugs) {
+    visitor.choice(field::numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
                    FieldVisitor::Written::always);
     const std::size_t cylinders = sheet.columns.front().mass.size();
     SetNumberList pistons(sheet.piston_sets, cylinders);
@@ -162,17 +161,17 @@ void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, 
         PartColumn& column = sheet[part];
         visitor.object_of({.key = part_word(part).word, .label = part_word(part).label}, false,
                           column.is_begun(), [&] {
-                              if (nominal_needed) {
+                              if (of_plugs) {
                                   visitor.required(field::nominal, column.nominal);
                               } else {
                                   visitor.number(field::nominal, column.nominal);
                               }
                               visitor.number(field::permitted_spread, column.permitted_spread);
-                              WeightList weights(mass, column.mass);
-                              visitor.custom(mass, false, weights);
+                              WeightList weights(column.mass);
+                              visitor.custom(field::part_mass, false, weights);
                           });
     }
-    visit_matching(visitor, sheet.matching, asks_radius);
+    visit_matching(visitor, sheet.matching, !of_plugs);
 }
 
 void check_weighed(const WeighIn& sheet, bool nominal_needed) {

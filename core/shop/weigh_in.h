@@ -135,13 +135,22 @@ inline bool is_other_bob_weight(const std::optional<double>& then,
     return then && now && (*then > *now + rounding || *then < *now - rounding);
 }
 
+inline constexpr Word numbering_words[] = {{"bank-by-bank", Text::tr("Bank by bank")},
+                                           {"alternating", Text::tr("1 and 2, 3 and 4, …")}};
+
 namespace field {
 
 inline constexpr Field weigh_in{.key = "weigh_in",
                                 .hint = Text::tr("Masses of the parts by the scale.")};
+inline constexpr Field numbering{.key = "cylinder_numbering",
+                                 .label = Text::tr("C&ylinders of a crankpin"),
+                                 .hint = Text::tr("The two cylinders that share a crankpin."),
+                                 .words = numbering_words};
 inline constexpr Field nominal{.key = "nominal_g",
                                .range = Range::between(0.001, 100'000),
                                .hint = Text::tr("Nominal mass of the part.")};
+inline constexpr Field part_mass{
+    .key = "mass_g", .range = nominal.range, .hint = Text::tr("Masses by cylinder.")};
 inline constexpr Field permitted_spread{.key = "permitted_spread_g",
                                         .range = Range::between(0, 100'000),
                                         .hint = Text::tr("Permitted range of the masses.")};
@@ -162,12 +171,8 @@ inline constexpr Field bob_weight_then{
 }  // namespace field
 
 /// The sheet in the order of the case file, its columns as long as there are cylinders.
-/// @param numbering        the field that says which cylinders share a crankpin
-/// @param mass             the field of the weights: key, range and hint
-/// @param nominal_needed   a column without a nominal mass cannot be read
-/// @param asks_radius      the scene's engine does not say its crank radius
-void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, const Field& mass,
-                 bool nominal_needed, bool asks_radius);
+/// @param of_plugs  a column needs its nominal mass, and the engine says its crank radius
+void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, bool of_plugs);
 
 /// Throws where a column with any weight lacks another one. A nominal mass alone is no weight.
 /// @param nominal_needed  or its nominal mass

@@ -201,16 +201,4 @@ void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed) {
     visitor.object(field::plug, input.plug);
 }
 
-void visit_weigh_in(FieldVisitor& visitor, std::optional<WeighIn>& weigh_in) {
-    visitor.object(field::weigh_in, weigh_in, [&](WeighIn& sheet) {
-        sheet.fit(cylinder_count);
-        shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, true, false);
-    });
-}
-
-void visit_fields(FieldVisitor& visitor, Input& input) {
-    visit_plugs(visitor, input, visitor.has(field::weigh_in.key, input.weigh_in.has_value()));
-    visit_weigh_in(visitor, input.weigh_in);
-}
-
 }  // namespace ravnoves::v8_plugs

@@ -14,8 +14,6 @@ inline constexpr Word process_words[] = {{"manufacture", Text::tr("Manufacture")
 inline constexpr Word crankshaft_words[] = {
     {"standard", Text::tr("Standard")},
     {"new-plugs", Text::tr("Made for plugs of the new design")}};
-inline constexpr Word numbering_words[] = {{"bank-by-bank", Text::tr("1+5, 2+6, 3+7, 4+8")},
-                                           {"alternating", Text::tr("1+2, 3+4, 5+6, 7+8")}};
 inline constexpr Word source_words[] = {{"typed", Text::tr("Typed")},
                                         {"weigh-in", Text::tr("Masses of the parts")}};
 
@@ -51,17 +49,6 @@ inline constexpr Field tolerance{
     .label = Text::tr("Permissible residu&al unbalance"),
     .hint = Text::tr("Limit in each correction plane. Nazarov's experiments left 5 g·mm; a repair "
                      "manual may allow much more (2 oz·in is 1440 g·mm).")};
-
-// ------------------------------------------------------------------------- weigh-in sheet
-using shop::field::nominal;
-using shop::field::permitted_spread;
-using shop::field::weigh_in;
-inline constexpr Field numbering{.key = "cylinder_numbering",
-                                 .label = Text::tr("C&ylinders of a crankpin"),
-                                 .hint = Text::tr("The two cylinders that share a crankpin."),
-                                 .words = numbering_words};
-inline constexpr Field part_mass{
-    .key = "mass_g", .range = nominal.range, .hint = Text::tr("Eight masses, by cylinder.")};
 
 // ----------------------------------------------------------------------------------- plug
 inline constexpr Field plug{.key = "plug", .hint = Text::tr("Sizes of the plug.")};

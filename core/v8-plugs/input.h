@@ -84,10 +84,8 @@ struct Input {
 };
 
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
-void visit_fields(FieldVisitor& visitor, Input& input);
-/// Its parts: the weigh-in, and all else.
-/// @param weighed  there is a weigh-in
-void visit_weigh_in(FieldVisitor& visitor, std::optional<WeighIn>& weigh_in);
+/// All but the weigh-in.
+/// @param weighed  there is one
 void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed);
 
 /// Σ c²/n of shop::Weighing, by the means of the columns that count.

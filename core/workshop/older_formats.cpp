@@ -75,7 +75,10 @@ void visit_fields(FieldVisitor& visitor, BobWeightsCase& input) {
 void visit_fields(FieldVisitor& visitor, PlugsCase& input) {
     v8_plugs::visit_plugs(visitor, *input.plugs,
                           visitor.has(shop::field::weigh_in.key, input.weigh_in.has_value()));
-    v8_plugs::visit_weigh_in(visitor, input.weigh_in);
+    visitor.object(shop::field::weigh_in, input.weigh_in, [&](shop::WeighIn& sheet) {
+        sheet.fit(v8_plugs::cylinder_count);
+        shop::visit_sheet(visitor, sheet, true);
+    });
     visitor.object(balancing, input.tolerance, [&](bob_weights::Tolerance& tolerance) {
         Correction absent = readings_alone();
         if (!input.correction && (visitor.is_reading() || visitor.creates_objects())) {

@@ -9950,10 +9950,6 @@
         <translation>Номинальная масса детали.</translation>
     </message>
     <message>
-        <source>Eight masses, by cylinder.</source>
-        <translation>Восемь масс, по цилиндрам.</translation>
-    </message>
-    <message>
         <source>Sizes of the plug.</source>
         <translation>Размеры заглушки.</translation>
     </message>
@@ -10004,14 +10000,6 @@
     <message>
         <source>Oil coefficient kₘ</source>
         <translation>Коэффициент масла kₘ</translation>
-    </message>
-    <message>
-        <source>1+5, 2+6, 3+7, 4+8</source>
-        <translation>1+5, 2+6, 3+7, 4+8</translation>
-    </message>
-    <message>
-        <source>1+2, 3+4, 5+6, 7+8</source>
-        <translation>1+2, 3+4, 5+6, 7+8</translation>
     </message>
     <message>
         <source>is required where %1 is &quot;weigh-in&quot;</source>

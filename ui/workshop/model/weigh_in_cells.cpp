@@ -21,7 +21,7 @@ auto& cellOf(auto& sheet, int row, int column) {
 }  // namespace
 
 const Field& WorkshopModel::weightField(int row) {
-    return row >= firstCylinder ? bob_weights::field::part_mass
+    return row >= firstCylinder ? shop::field::part_mass
            : row == 0           ? shop::field::nominal
                                 : shop::field::permitted_spread;
 }
