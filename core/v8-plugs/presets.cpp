@@ -1,72 +1,35 @@
 #include "v8-plugs/presets.h"
 
-#include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace ravnoves::v8_plugs {
 
-namespace {
-
-using units::gram;
 using units::mm;
 
-Engine paper_engine(std::string name) {
-    Engine engine;
-    engine.name = std::move(name);
-    return engine;
-}
-
-/// Table 2 and Table 3, left columns.
-Engine engine_4_25() {
-    Engine engine = paper_engine("4.25 l");
-    engine.crank_radius = 40 * mm;
-    engine.plug_radius = 47.2 * mm;
-    engine.new_plug_radius = 49.3 * mm;
-    engine.steel_plug_mass = 2.79 * gram;
-    engine.aluminium_plug_mass = 0.954 * gram;
-    engine.new_steel_plug_mass = 3.45 * gram;
-    engine.new_aluminium_plug_mass = 1.179 * gram;
-    engine.max_steel_reduction = 1.951 * gram;
-    engine.max_aluminium_reduction = 0.684 * gram;
-    engine.rod_coefficient = 0.445;
-    return engine;
-}
-
-/// Table 1, Table 2 and Table 3, right columns: the 6 and 7 l engines share the crankshaft.
-Engine engine_6_7(std::string name) {
-    Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = 47.5 * mm;
-    engine.plug_radius = 61.5 * mm;
-    engine.new_plug_radius = 63.2 * mm;
-    engine.steel_plug_mass = 4.03 * gram;
-    engine.aluminium_plug_mass = 1.377 * gram;
-    engine.new_steel_plug_mass = 5.25 * gram;
-    engine.new_aluminium_plug_mass = 1.794 * gram;
-    engine.max_steel_reduction = 2.746 * gram;
-    engine.max_aluminium_reduction = 1.013 * gram;
-    engine.rod_coefficient = 0.414;
-    return engine;
-}
-
-/// The engines of which the text gives the crank radius alone.
-Engine engine_with_radius(std::string name, double crank_radius_mm) {
-    Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = crank_radius_mm * mm;
-    return engine;
-}
-
-}  // namespace
-
 std::span<const Engine> engine_presets() {
-    static const std::array<Engine, 7> presets{
-        engine_4_25(),
-        engine_6_7("6 l"),
-        engine_6_7("7 l"),
-        engine_with_radius("8.32 l", 60),
-        engine_with_radius("8.74 l", 57.5),
-        engine_with_radius("10.85 l", 60),
-        engine_with_radius("14.86 l", 70),
-    };
+    static const std::vector<Engine> presets = [] {
+        // Tables 1 to 3, the values in the order of engine_fields(): both columns, the right one
+        // of two engines with the same crankshaft; of the others the text gives the crank radius.
+        const std::vector<double> left{40,   47.2,  49.3,  2.79,  0.954,
+                                       3.45, 1.179, 1.951, 0.684, 0.445};
+        const std::vector<double> right{47.5, 61.5,  63.2,  4.03,  1.377,
+                                        5.25, 1.794, 2.746, 1.013, 0.414};
+        const std::pair<const char*, std::vector<double>> printed[] = {
+            {"4.25 l", left},   {"6 l", right},    {"7 l", right},   {"8.32 l", {60}},
+            {"8.74 l", {57.5}}, {"10.85 l", {60}}, {"14.86 l", {70}}};
+        std::vector<Engine> list;
+        for (const auto& [name, values] : printed) {
+            Engine& engine = list.emplace_back();
+            engine.name = name;
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                const EngineField& each = engine_fields()[i];
+                engine.*each.member = values[i] * each.field.unit;
+            }
+        }
+        return list;
+    }();
     return presets;
 }
 
