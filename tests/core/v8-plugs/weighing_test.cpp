@@ -94,10 +94,7 @@ TEST(Weighing, NamesTheCoarsestScaleThatIsEnough) {
                     std::abs(lead - 5.0) < 1e-6)
             << d;
     }
-}
-
-// A scale's step that is just enough is named as it is, not the next finer one.
-TEST(Weighing, NamesAStepThatIsJustEnough) {
+    // A step that is just enough is named as it is, not the next finer one.
     for (const double grams : {0.02, 0.05, 0.1, 0.2, 0.5, 2.0, 5.0}) {
         Input input = job(Process::repair);
         input.tolerance = 3.0 * weighing(input, grams * gram).bob_weight * 60e-3;
