@@ -150,13 +150,13 @@ void visit_rotating_masses(ResultVisitor& visitor, const RotatingMasses& rotatin
         visitor.number({"force_factor", Text::tr("force factor")}, std::abs(force));
         visitor.number({"force_angle_deg", Text::tr("angle of the force"), 1},
                        direction(force, rotating.force_scale));
-        visitor.number({"moment_factor_m", Text::tr("moment factor"), 4,
+        visitor.number({"moment_factor_m", Text::tr("moment factor about mean z"), 4,
                         Text::tr("About the mean axial position of the crankpins.")},
                        std::abs(moment));
         visitor.number({"moment_angle_deg", Text::tr("angle of the moment"), 1},
                        direction(moment, rotating.moment_scale));
         visitor.number({"force_N", Text::tr("force"), 1}, std::abs(rotating.force()));
-        visitor.number({"moment_Nm", Text::tr("moment"), 2,
+        visitor.number({"moment_Nm", Text::tr("moment about mean z"), 2,
                         Text::tr("About the mean axial position of the crankpins.")},
                        std::abs(rotating.moment()));
         visitor.number({"counterweight_force_lag_deg",

@@ -6734,12 +6734,16 @@
         <translation>угол силы</translation>
     </message>
     <message>
-        <source>moment factor</source>
-        <translation>множитель момента</translation>
+        <source>moment factor about mean z</source>
+        <translation>множитель момента относительно средней z</translation>
     </message>
     <message>
         <source>About the mean axial position of the crankpins.</source>
         <translation>Относительно среднего положения шеек вдоль вала.</translation>
+    </message>
+    <message>
+        <source>moment about mean z</source>
+        <translation>момент относительно средней z</translation>
     </message>
     <message>
         <source>angle of the moment</source>
@@ -12872,8 +12876,8 @@ but no position is feasible</source>
         <translation>Сила, Н</translation>
     </message>
     <message>
-        <source>Moment, N·m</source>
-        <translation>Момент, Н·м</translation>
+        <source>Moment about zₘ, N·m</source>
+        <translation>Момент отн. zₘ, Н·м</translation>
     </message>
     <message>
         <source>against the force</source>
@@ -13016,8 +13020,8 @@ but no position is feasible</source>
         <translation>Сила вращающихся масс, m R ω² |Σ exp(iκ)|</translation>
     </message>
     <message>
-        <source>Moment of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|</source>
-        <translation>Момент вращающихся масс относительно их середины, m R ω² |Σ z exp(iκ)|</translation>
+        <source>Moment of the rotating masses, m R ω² |Σ (z − zₘ) exp(iκ)|, about zₘ, the mean axial position of the crankpins. Other moments are about z₀.</source>
+        <translation>Момент вращающихся масс, m R ω² |Σ (z − zₘ) exp(iκ)|, относительно zₘ — среднего положения шеек вдоль вала. Остальные моменты — относительно z₀.</translation>
     </message>
     <message>
         <source>Place of a counterweight against the force</source>

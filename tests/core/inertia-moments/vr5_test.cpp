@@ -2,9 +2,11 @@
 // among those of tests/core/methods/validation_test.cpp.
 #include <gtest/gtest.h>
 
+#include "case-file/result_index.h"
 #include "engines.h"
 #include "example_check.h"
 #include "inertia-moments/presets.h"
+#include "inertia-moments/results.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
@@ -13,6 +15,15 @@ using test::vr5;
 
 TEST(VolkswagenVr5, AgreesWithTheContractsExample) {
     ravnoves::test::check_example("vr5-volkswagen");
+}
+
+// By the contract about the mean of the crankpins, 15.8 mm and more from the z₀ of all others.
+TEST(VolkswagenVr5, NamesThePointOfTheRotatingMoment) {
+    for (const ResultEntry& entry : list_results(vr5())) {
+        if (entry.pointer.starts_with("/rotating/moment_") && entry.unit != units::degree) {
+            EXPECT_TRUE(entry.name.english().ends_with(" about mean z")) << entry.pointer;
+        }
+    }
 }
 
 // Not printed, from the paper's formulas; N·m.

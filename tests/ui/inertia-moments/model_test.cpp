@@ -299,6 +299,9 @@ TEST(InertiaMomentsModel, EveryTableHasNumbersAndRoundingIsZero) {
                     input.end_webs->first_order_share = enabled ? 0.5 : 0.0;
                 }
             });
+            // Of the tables this one alone is not about z₀.
+            EXPECT_EQ(model.weightResults().rows[1].value(0).text,
+                      QStringLiteral("Moment about zₘ, N·m"));
             for (const auto& rows : {model.orderResults().rows, model.rotatingResults().rows,
                                      model.shaftResults().rows, model.weightResults().rows,
                                      model.remainingResults().rows}) {
