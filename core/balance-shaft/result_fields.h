@@ -46,8 +46,9 @@ inline constexpr ResultField mean_torque{"mean_torque_Nm", Text::tr("mean torque
                                          Text::tr("Work of a cycle over its crank angle.")};
 inline constexpr ResultField peak_pressure{"peak_pressure_bar", Text::tr("peak pressure"), 2,
                                            Text::tr("Maximum pressure in the cylinder.")};
-inline constexpr ResultField peak_pressure_crank_angle{"peak_pressure_crank_angle_deg",
-                                                       Text::tr("φ of the peak pressure"), 1};
+inline constexpr ResultField peak_pressure_crank_angle =
+    ResultField{"peak_pressure_crank_angle_deg", Text::tr("φ of the peak pressure"), 1}.with(
+        Period::cycle);
 inline constexpr ResultField first_order{"first_order_N", Text::tr("first order, P"), 1,
                                          Text::tr("First-order inertia force, mⱼ r ω².")};
 inline constexpr ResultField along_cylinder{

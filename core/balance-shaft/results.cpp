@@ -30,8 +30,10 @@ constexpr ResultField range{"range_Nm", Text::tr("range"), 2,
                             Text::tr("Maximum minus minimum over the cycle.")};
 constexpr ResultField rms{"rms_Nm", Text::tr("RMS"), 2,
                           Text::tr("About the mean, over the cycle.")};
-constexpr ResultField max_crank_angle{"max_crank_angle_deg", Text::tr("φ of the maximum"), 1};
-constexpr ResultField min_crank_angle{"min_crank_angle_deg", Text::tr("φ of the minimum"), 1};
+constexpr ResultField max_crank_angle =
+    ResultField{"max_crank_angle_deg", Text::tr("φ of the maximum"), 1}.with(Period::cycle);
+constexpr ResultField min_crank_angle =
+    ResultField{"min_crank_angle_deg", Text::tr("φ of the minimum"), 1}.with(Period::cycle);
 constexpr ResultField width{"width_mm", Text::tr("width"), 1};
 constexpr ResultField height{"height_mm", Text::tr("height"), 1};
 constexpr ResultField shaft_angles{"shaft_angle_deg", Text::tr("α"), 1, {}, units::none};
@@ -442,6 +444,7 @@ void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
         solver();
         return result;
     };
+    visitor.set_turns_of_cycle(input.strokes / 2);
     visit_verdict(visitor, [&] { return verdict(whole()); });
     if (!solved) {
         moments_of(input).fill(input, visitor.wants(key::optimum.key), result);

@@ -31,6 +31,8 @@ class Response {
     /// @param y  set to the watched values, in the units of their keys; NaN for a missing one
     /// @return false where one of them does not exist: see reason()
     virtual bool evaluate(std::span<const double> x, std::span<double> y) = 0;
+    /// Of a watched value that is an angle, 360 or 720; else 0. Known once it has had a value.
+    virtual double period(std::size_t /*watched*/) const { return 0.0; }
     /// Of the last rejection.
     const Reason& reason() const { return reason_; }
 

@@ -26,8 +26,8 @@ void ResultIndex::leaf(const ResultField& field, const ResultValue& value) {
         return;
     }
     Level place = inside(field.key, field.label, field.unit);
-    entries_.push_back(
-        {std::move(place.pointer), std::move(place.name), place.unit, field.decimals, si});
+    entries_.push_back({std::move(place.pointer), std::move(place.name), place.unit, field.decimals,
+                        period_of(field), si});
 }
 
 bool ResultIndex::begin_object(const ResultField& field) {

@@ -15,6 +15,7 @@ struct ResultEntry {
     Message name;         ///< "M_ups, range", from the labels on the way to it
     Unit unit = units::none;
     int decimals = 3;
+    double period = 0.0;  ///< 360 or 720 of an angle in degrees; 0 of what has none
     std::optional<double> si;
 };
 

@@ -72,9 +72,10 @@ bool ResultNumbers::wants(std::string_view key) const {
     }
 }
 
-void ResultNumbers::set(std::size_t node, double value) {
+void ResultNumbers::set(std::size_t node, const ResultField& field, double value) {
     if (node != 0 && std::isfinite(value)) {
         nodes_[node].value = value;
+        nodes_[node].period = period_of(field);
     }
 }
 
@@ -82,7 +83,7 @@ void ResultNumbers::leaf(const ResultField& field, const ResultValue& value) {
     const std::size_t node = inside(at_, field.key);
     const auto elements = [&](std::size_t of, const auto& list) {
         for (std::size_t i = 0; of != 0 && i < list.size(); ++i) {
-            set(inside(of, std::to_string(i)), list[i] / field.unit);
+            set(inside(of, std::to_string(i)), field, list[i] / field.unit);
         }
     };
     if (const auto* const* text = std::get_if<const Message*>(&value)) {
@@ -90,11 +91,11 @@ void ResultNumbers::leaf(const ResultField& field, const ResultValue& value) {
             nodes_[at_].why = **text;
         }
     } else if (const auto* number = std::get_if<double>(&value)) {
-        set(node, *number / field.unit);
+        set(node, field, *number / field.unit);
     } else if (const auto* count = std::get_if<long long>(&value)) {
-        set(node, static_cast<double>(*count));
+        set(node, field, static_cast<double>(*count));
     } else if (const auto* flag = std::get_if<bool>(&value)) {
-        set(node, *flag ? 1.0 : 0.0);
+        set(node, field, *flag ? 1.0 : 0.0);
     } else if (const auto* numbers = std::get_if<std::span<const double>>(&value)) {
         elements(node, *numbers);
     } else if (const auto* integers = std::get_if<std::span<const int>>(&value)) {

@@ -24,6 +24,8 @@ class ResultNumbers final : public ResultVisitor {
     const std::string& pointer(std::size_t i) const { return pointers_[i]; }
     /// In the unit of the key; empty without a value.
     std::optional<double> value(std::size_t i) const { return nodes_[places_[i]].value; }
+    /// Of an angle 360 or 720, once a visit had a value; else 0.
+    double period(std::size_t i) const { return nodes_[places_[i]].period; }
     /// Why it is empty: the reason or note of the nearest object around it that has one.
     Message why(std::size_t i) const;
 
@@ -35,6 +37,7 @@ class ResultNumbers final : public ResultVisitor {
         std::size_t around = 0;
         std::vector<std::pair<std::string, std::size_t>> inside{};
         std::optional<double> value{};
+        double period = 0.0;
         Message why{};
     };
 
@@ -46,7 +49,7 @@ class ResultNumbers final : public ResultVisitor {
 
     std::size_t inside(std::size_t around, std::string_view key) const;  ///< 0: not wanted
     bool enter(std::string_view key);
-    void set(std::size_t node, double value);
+    void set(std::size_t node, const ResultField& field, double value);
 
     std::vector<Node> nodes_;
     std::vector<std::string> pointers_;

@@ -16,6 +16,9 @@
 
 namespace ravnoves {
 
+/// After what an angle is the same again.
+enum class Period { turn, cycle, none };
+
 /// One value of a result, described once, where it is visited: the file, `--only`, what a study
 /// watches, the names in tables, their tips and the help follow. Its key gives the unit, unless
 /// another is given.
@@ -26,12 +29,18 @@ struct ResultField {
     constexpr ResultField(std::string_view its_key, Text its_label, int its_decimals, Text its_hint,
                           Unit its_unit)
         : key(its_key), unit(its_unit), decimals(its_decimals), label(its_label), hint(its_hint) {}
+    constexpr ResultField with(Period its_period) const {
+        ResultField field = *this;
+        field.period = its_period;
+        return field;
+    }
 
     std::string_view key;  ///< in the file, with its unit: "relief_mm"
     Unit unit;
-    int decimals;  ///< in a table, in the unit
-    Text label;    ///< "Relief of the guide"
-    Text hint;     ///< a sentence with its formula
+    int decimals;                  ///< in a table, in the unit
+    Text label;                    ///< "Relief of the guide"
+    Text hint;                     ///< a sentence with its formula
+    Period period = Period::turn;  ///< of what is in degrees
 };
 
 /// Numbers of a list whose elements are lists of `columns`.
@@ -63,6 +72,9 @@ class ResultVisitor {
     /// Whether the value under this key, or a value in it, is asked for.
     /// @param key  or several: "metrics/M_ups/rms_Nm"
     virtual bool wants(std::string_view key) const = 0;
+
+    /// Of the crank; one where the scene says nothing.
+    void set_turns_of_cycle(int turns) { turns_of_cycle_ = turns; }
 
     // --------------------------------------------------------------------------------- values
 
@@ -150,7 +162,15 @@ class ResultVisitor {
     virtual bool begin_element(std::size_t index) = 0;
     virtual void end() = 0;
 
+    /// Of a value, in the field's unit: 360 or 720 of an angle; 0 of what has none.
+    double period_of(const ResultField& field) const {
+        const int turns = field.period == Period::cycle ? turns_of_cycle_ : 1;
+        const bool has_none = field.unit != units::degree || field.period == Period::none;
+        return has_none ? 0.0 : turns * turn_deg;
+    }
+
   private:
+    int turns_of_cycle_ = 1;
     template <typename Value>
     void put(const ResultField& field, const std::optional<Value>& value) {
         leaf(field, value ? ResultValue(*value) : ResultValue());

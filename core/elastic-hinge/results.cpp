@@ -144,7 +144,8 @@ void visit_motion(ResultVisitor& visitor, const Motion& motion) {
     visitor.word({"end", Text::tr("End of the motion")}, word_of(motion.end));
     visitor.text(reason, motion.reason);
     visitor.number({"time_s", Text::tr("Time")}, motion.time.back());
-    visitor.number({"crank_angle_deg", Text::tr("Crank angle φ"), 1}, motion.crank_angle.back());
+    visitor.number(ResultField{"crank_angle_deg", Text::tr("Crank angle φ"), 1}.with(Period::none),
+                   motion.crank_angle.back());
     visitor.number({"speed_rad_s", Text::tr("Speed")}, motion.speed.back());
     visitor.number({"mean_speed_rad_s", Text::tr("Mean speed")}, motion.mean_speed);
     visitor.number({"min_speed_rad_s", Text::tr("Minimum speed")}, motion.min_speed);

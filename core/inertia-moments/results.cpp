@@ -20,7 +20,12 @@ constexpr ResultField unbalanced_curves{"unbalanced_curves", Text::tr("Curves be
 constexpr ResultField remaining_curves{"remaining_curves", Text::tr("Residual curves")};
 constexpr ResultField angle{"angle_deg", Text::tr("angle"), 1};
 constexpr ResultField cylinder{"cylinder", Text::tr("cylinder"), 0};
-constexpr ResultField crank_angle{"crank_angle_deg", Text::tr("crank angle"), 1};
+constexpr ResultField crank_angle =
+    ResultField{"crank_angle_deg", Text::tr("crank angle"), 1}.with(Period::cycle);
+constexpr ResultField interval =
+    ResultField{"interval_deg", Text::tr("firing interval"), 1}.with(Period::none);
+constexpr ResultField firing_cycle =
+    ResultField{"firing_cycle_deg", Text::tr("Firing cycle"), 0}.with(Period::none);
 constexpr ResultField unbalance{"unbalance_kg_m", Text::tr("unbalance"), 5};
 constexpr ResultField mass{"mass_kg", Text::tr("mass")};
 constexpr ResultField cancels_force{"cancels_N", Text::tr("cancels"), 1};
@@ -207,10 +212,9 @@ void visit_firing(ResultVisitor& visitor, const Input& input, const Result& resu
                      [&](std::size_t i) {
                          visitor.integer(key::cylinder, result.firing[i].cylinder);
                          visitor.number(key::crank_angle, result.firing[i].crank_angle);
-                         visitor.number({"interval_deg", Text::tr("firing interval"), 1},
-                                        result.firing[i].interval);
+                         visitor.number(key::interval, result.firing[i].interval);
                      });
-        visitor.number({"firing_cycle_deg", Text::tr("Firing cycle"), 0}, input.cycle());
+        visitor.number(key::firing_cycle, input.cycle());
         visitor.flag({"fires_evenly", Text::tr("Even firing"), 0}, fires_evenly(result.firing));
     } else if (!result.firing_trouble.empty()) {
         visitor.text({"firing_reason"}, result.firing_trouble);
@@ -281,6 +285,7 @@ void visit_curves(ResultVisitor& visitor, const ResultField& field, const Wrench
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
+    visitor.set_turns_of_cycle(input.strokes / 2);
     visit_verdict(visitor, [&] { return verdict(input, result); });
     const Engine& engine = result.engine;
     std::vector<double> pins;

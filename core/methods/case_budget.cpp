@@ -18,6 +18,7 @@
 #include "numerics/demand.h"
 #include "scenes/scenes.h"
 #include "studies/study.h"
+#include "studies/taylor.h"
 
 namespace ravnoves::methods {
 
@@ -219,13 +220,11 @@ class Question {
 
     void add(const Contribution& what, const std::vector<Values>& others) {
         for (std::size_t i = 0; i < budget_.size(); ++i) {
-            const Unit& unit = budget_[i].result.unit;
+            const ResultEntry& result = budget_[i].result;
             double largest = 0.0;
             for (const Values& other : others) {
-                double change = (other[i] - nominal_[i]) * unit;
-                if (unit == units::degree) {
-                    change = std::remainder(change, two_pi);
-                }
+                const double change =
+                    studies::difference(other[i], nominal_[i], result.period) * result.unit;
                 largest = std::isnan(change) ? change : std::max(largest, std::abs(change));
                 if (std::isnan(largest)) {
                     break;

@@ -99,9 +99,8 @@ class CaseResponse final : public Response {
 
 Run linear(const ScatterCase& of, double) {
     return [of, laws = of.laws()](std::span<double> out) {
-        constexpr std::array<double, 1> no_angle{};
         CaseResponse response(of);
-        const studies::Taylor taylor = studies::expand(response, laws, no_angle).front();
+        const studies::Taylor taylor = studies::expand(response, laws, 1).front();
         const auto found = taylor.propagated(laws);
         for (std::size_t seed = 0; seed < seeds; ++seed) {
             out[2 * seed] = found ? *taylor.value : nothing;

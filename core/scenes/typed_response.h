@@ -73,6 +73,7 @@ class TypedResponse final : public Response {
         }
         return whole;
     }
+    double period(std::size_t watched) const override { return numbers_.period(watched); }
 
   private:
     bool set(std::span<const double> x) {

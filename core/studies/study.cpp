@@ -137,14 +137,14 @@ Watched read_watched(const std::string& pointer, ObjectReader reader) {
     Watched watched{.pointer = pointer};
     watched.min = reader.optional_number("min", Range{});
     watched.max = reader.optional_number("max", Range{});
-    if (const auto across = upper_across_zero(watched)) {
-        throw InputError(reader.pointer_to("max"),
-                         {Text::tr("must be at least %1; across 0° enter %2"), Number{*watched.min},
-                          Number{*across}},
-                         Number{*watched.max});
-    }
-    if (watched.min) {
-        reader.optional_number("max", Range::at_least(*watched.min));
+    if (watched.min && watched.max && *watched.max < *watched.min) {
+        throw InputError(
+            reader.pointer_to("max"),
+            {unit_at(pointer) == units::degree
+                 ? Text::tr("must be at least %1; across 0° add the period of the angle")
+                 : Text::tr("must be at least %1"),
+             *watched.min},
+            Number{*watched.max});
     }
     reader.finish();
     return watched;
@@ -233,16 +233,6 @@ std::string vary_place(const std::string& pointer) {
 
 std::string watch_place(const std::string& pointer) {
     return "/study/watch/" + printable(escape_segment(pointer));
-}
-
-std::optional<double> upper_across_zero(const Watched& watched) {
-    if (!watched.min || !watched.max || *watched.max >= *watched.min ||
-        unit_at(watched.pointer) != units::degree ||
-        watched.pointer.find("crank_angle") != std::string::npos) {  // of one turn or two
-        return std::nullopt;
-    }
-    constexpr double turn = 360.0;
-    return *watched.max + turn * std::ceil((*watched.min - *watched.max) / turn);
 }
 
 Study read_study(const Json& json, bool half_filled) {

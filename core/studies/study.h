@@ -56,11 +56,6 @@ struct Watched {
     friend bool operator==(const Watched&, const Watched&) = default;
 };
 
-/// The upper limit of an angle that is meant across 0°, from 355 to 3: whole turns above the lower
-/// one, 363; empty where it is above already, for other quantities, and for crank angles, whose
-/// cycle may have two turns.
-std::optional<double> upper_across_zero(const Watched& watched);
-
 enum class Method {
     linear,       ///< derivatives at the means
     monte_carlo,  ///< independent points

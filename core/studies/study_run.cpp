@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "case-file/input_error.h"
-#include "numerics/constants.h"
 #include "studies/sampler.h"
 #include "studies/workers.h"
 
@@ -137,17 +136,6 @@ Workers make_workers(const Problem& problem, const Part& part, int threads, std:
     return workers;
 }
 
-/// 360° or, where a value says so, the 720° of a four-stroke cycle; 0 of what is no angle.
-double period_of(const std::string& pointer, std::span<const double> values) {
-    if (!pointer.ends_with("_deg")) {
-        return 0.0;
-    }
-    return std::any_of(values.begin(), values.end(),
-                       [](double value) { return std::abs(value) > turn_deg; })
-               ? 2.0 * turn_deg
-               : turn_deg;
-}
-
 /// Bins about the middle of what nearly all values span.
 CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal,
                            std::vector<double> values, double period) {
@@ -193,13 +181,12 @@ std::vector<std::vector<double>> take_first(const Problem& problem, const Part& 
 }
 
 /// How far true samples lie from the expansions that stand for them.
-void try_expansions(Response& response, const Study& study, std::span<const double> periods,
-                    Basis& basis) {
-    basis.distances.assign(periods.size(), 0.0);
+void try_expansions(Response& response, const Study& study, Basis& basis) {
+    basis.distances.assign(study.watch.size(), 0.0);
     Sampler sampler(Method::sobol, study.seed, basis.laws.size());
     std::vector<double> x(basis.laws.size());
-    std::vector<double> y(periods.size());
-    std::vector<double> expected(periods.size());
+    std::vector<double> y(study.watch.size());
+    std::vector<double> expected(study.watch.size());
     ExpansionResponse expansions(basis);
     for (std::uint64_t i = 0; i < tried_samples; ++i) {
         sampler.point(i, x);
@@ -212,7 +199,7 @@ void try_expansions(Response& response, const Study& study, std::span<const doub
         }
         expansions.evaluate(x, expected);
         for (std::size_t w = 0; w < y.size(); ++w) {
-            basis.distances[w] += std::pow(difference(y[w], expected[w], periods[w]), 2);
+            basis.distances[w] += std::pow(difference(y[w], expected[w], response.period(w)), 2);
         }
     }
     const auto solved = static_cast<double>(tried_samples - count_of(basis.rejections));
@@ -228,19 +215,9 @@ void make_basis(const Problem& problem, Part& part, int threads, Progress& progr
     for (std::size_t j = 0; j < study.vary.size(); ++j) {
         basis.laws.push_back(law_of(study.vary[j], problem.nominal[j]));
     }
-    std::vector<double> periods;
-    const auto expand_about_means = [&] {
-        const auto response = problem.make();
-        basis.expansions = expand(*response, basis.laws, periods);
-        try_expansions(*response, study, periods, basis);
-    };
-    if (study.method == Method::linear) {
-        for (std::size_t w = 0; w < watched; ++w) {
-            const double nominal = basis.nominal[w].value_or(0.0);
-            periods.push_back(period_of(study.watch[w].pointer, std::span(&nominal, 1)));
-        }
-        expand_about_means();
-    }
+    const auto response = problem.make();
+    basis.expansions = expand(*response, basis.laws, watched);
+    try_expansions(*response, study, basis);
     const auto first = take_first(problem, part, threads, progress);
     if (progress.is_stopped()) {
         return;
@@ -250,12 +227,8 @@ void make_basis(const Problem& problem, Part& part, int threads, Progress& progr
         for (const std::vector<double>& sample : first) {
             values.push_back(sample[w]);
         }
-        const double period = period_of(study.watch[w].pointer, values);
-        basis.plan.push_back(counting_plan(study.watch[w], basis.nominal[w], values, period));
-        periods.push_back(period);
-    }
-    if (study.method != Method::linear) {
-        expand_about_means();
+        basis.plan.push_back(
+            counting_plan(study.watch[w], basis.nominal[w], values, response->period(w)));
     }
 }
 

@@ -44,8 +44,8 @@ using MovedBy = std::function<std::optional<std::vector<double>>(double step)>;
 
 /// @return nothing where a slope does not exist
 std::vector<std::optional<Taylor::Slope>> slopes(const MovedBy& moved, const Law& law,
-                                                 std::span<const double> periods) {
-    std::vector<std::optional<Taylor::Slope>> found(periods.size());
+                                                 const Response& response, std::size_t watched) {
+    std::vector<std::optional<Taylor::Slope>> found(watched);
     // The sides that exist within the scatter; nearer where they do not reach so far.
     double step = law.deviation;
     bool up = false;
@@ -56,8 +56,8 @@ std::vector<std::optional<Taylor::Slope>> slopes(const MovedBy& moved, const Law
         up = moved(step).has_value();
         down = moved(-step).has_value();
     }
-    std::vector<std::array<double, levels>> differences(periods.size());
-    std::vector<double> size(periods.size());
+    std::vector<std::array<double, levels>> differences(watched);
+    std::vector<double> size(watched);
     double h = step;
     for (std::size_t level = 0; level < levels; ++level, h /= 2.0) {
         // The step that the sum really makes.
@@ -68,12 +68,13 @@ std::vector<std::optional<Taylor::Slope>> slopes(const MovedBy& moved, const Law
         if (!above || !below || !(high + low > 0.0)) {
             return found;
         }
-        for (std::size_t w = 0; w < periods.size(); ++w) {
-            differences[w][level] = difference((*above)[w], (*below)[w], periods[w]) / (high + low);
+        for (std::size_t w = 0; w < watched; ++w) {
+            differences[w][level] =
+                difference((*above)[w], (*below)[w], response.period(w)) / (high + low);
             size[w] = std::max({size[w], std::abs((*above)[w]), std::abs((*below)[w])});
         }
     }
-    for (std::size_t w = 0; w < periods.size(); ++w) {
+    for (std::size_t w = 0; w < watched; ++w) {
         const double rounding = 2.0 * epsilon * size[w] / (up && down ? 2.0 * step : step);
         found[w] = extrapolate(differences[w], up && down ? 2 : 1, rounding);
     }
@@ -128,17 +129,16 @@ double Taylor::at(std::span<const Law> laws, std::span<const double> x) const {
     return sum;
 }
 
-std::vector<Taylor> expand(Response& response, std::span<const Law> laws,
-                           std::span<const double> periods) {
+std::vector<Taylor> expand(Response& response, std::span<const Law> laws, std::size_t watched) {
     std::vector<double> x;
     for (const Law& law : laws) {
         x.push_back(law.mean);
     }
     const auto values = [&]() -> std::optional<std::vector<double>> {
-        std::vector<double> y(periods.size());
+        std::vector<double> y(watched);
         return response.evaluate(x, y) ? std::optional(std::move(y)) : std::nullopt;
     };
-    std::vector<Taylor> all(periods.size());
+    std::vector<Taylor> all(watched);
     for (Taylor& each : all) {
         each.slopes.resize(laws.size());
     }
@@ -156,7 +156,7 @@ std::vector<Taylor> expand(Response& response, std::span<const Law> laws,
             x[j] = laws[j].mean;
             return found;
         };
-        const auto found = slopes(moved, laws[j], periods);
+        const auto found = slopes(moved, laws[j], response, watched);
         for (std::size_t w = 0; w < all.size(); ++w) {
             all[w].slopes[j] = found[w];
         }

@@ -42,8 +42,7 @@ bool scatters(const Law& law);
 ///
 /// Derivatives by Ridders' extrapolation of central differences, one-sided where one side is
 /// rejected; the error is what two extrapolations differ by, and at least what rounding leaves.
-/// @param periods  of the watched values that are angles; else 0
-std::vector<Taylor> expand(Response& response, std::span<const Law> laws,
-                           std::span<const double> periods);
+/// @param watched  how many values it has
+std::vector<Taylor> expand(Response& response, std::span<const Law> laws, std::size_t watched);
 
 }  // namespace ravnoves::studies

@@ -8870,8 +8870,8 @@
         <translation>должно содержать от 1 до %1 указателей</translation>
     </message>
     <message>
-        <source>must be at least %1; across 0° enter %2</source>
-        <translation>должно быть не меньше %1; через 0° введите %2</translation>
+        <source>must be at least %1; across 0° add the period of the angle</source>
+        <translation>должно быть не меньше %1; через 0° добавьте период угла</translation>
     </message>
     <message>
         <source>must be &quot;grid&quot; with listed values</source>

@@ -116,6 +116,35 @@ TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
     }
 }
 
+TEST(TypedResponse, KnowsThePeriodsOfAngles) {
+    const CaseFile four = example("tmz-650d");
+    CaseFile two = example("vr5-volkswagen");
+    two.input["strokes"] = 2;
+    CaseFile motion = example("zotov-softer-spring");
+    motion.input["motion"] = {{"turns", 5}};
+    const struct {
+        CaseFile file;
+        const char* watched;
+        double period;
+    } cases[] = {{four, "/metrics/M_up/max_crank_angle_deg", 720.0},
+                 {example("vr5-volkswagen"), "/firing/1/crank_angle_deg", 720.0},
+                 {two, "/firing/1/crank_angle_deg", 360.0},
+                 {four, "/optimum/range/shaft_angle_deg", 360.0},
+                 {four, "/metrics/M_up/range_Nm", 0.0},
+                 {motion, "/guide/worst_crank_angle_deg", 360.0},
+                 {motion, "/motion/without_hinge/crank_angle_deg", 0.0}};
+    for (const auto& [file, watched, period] : cases) {
+        const std::array<std::string, 1> pointers{watched};
+        const auto response = scene_solver(file.scene).respond(file.input, {}, {}, pointers);
+        double y = 0.0;
+        ASSERT_TRUE(response->evaluate({}, std::span(&y, 1))) << watched;
+        EXPECT_EQ(response->period(0), period) << watched;
+        for (const ResultEntry& entry : scene_solver(file.scene).results(file.input, {})) {
+            EXPECT_TRUE(entry.pointer != watched || entry.period == period) << watched;
+        }
+    }
+}
+
 TEST(TypedResponse, RejectsAsTheWholeSolutionDoes) {
     CaseFile file = example("tmz-650d");
     const std::array<std::string, 1> varied{"/crank_radius_mm"};

@@ -24,7 +24,10 @@ Function always(Value value) {
 /// A function in the place of a scene.
 class FunctionResponse final : public Response {
   public:
-    explicit FunctionResponse(Function function) : function_(std::move(function)) {}
+    /// @param period  of its values
+    FunctionResponse(Function function, double period)
+        : function_(std::move(function)), period_(period) {}
+    double period(std::size_t /*watched*/) const override { return period_; }
     bool evaluate(std::span<const double> x, std::span<double> y) override {
         reason_ = {"/x", "must be less than " + std::to_string(x[0])};
         return function_(x, y);
@@ -32,15 +35,17 @@ class FunctionResponse final : public Response {
 
   private:
     Function function_;
+    double period_;
 };
 
 /// A study of a function; the nominal inputs are those given.
-inline Problem problem(const Json& study, std::vector<double> nominal, Function function) {
+inline Problem problem(const Json& study, std::vector<double> nominal, Function function,
+                       double period = 0.0) {
     Problem made{.origin = {.scene = "test", .title = "", .case_sha256 = "0"},
                  .study = read_study(study),
                  .nominal = std::move(nominal),
                  .nominal_result = {},
-                 .make = [function] { return std::make_unique<FunctionResponse>(function); }};
+                 .make = [=] { return std::make_unique<FunctionResponse>(function, period); }};
     std::vector<double> y(made.study.watch.size());
     const bool there = function(made.nominal, y);
     for (const double value : y) {

@@ -204,7 +204,8 @@ ResultName StudyModel::resultName(const std::string& pointer) const {
             for (const ResultEntry& entry : scene_solver(scene_->sceneName().toStdString())
                                                 .results(scene_->inputJson(), scene_->context())) {
                 names_.insert_or_assign(
-                    entry.pointer, ResultName{messageText(entry.name), unitText(entry.unit.name)});
+                    entry.pointer,
+                    ResultName{messageText(entry.name), unitText(entry.unit.name), entry.period});
             }
         } catch (const InputError&) {
             // A case that is rejected has no results.

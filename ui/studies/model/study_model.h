@@ -23,8 +23,9 @@ class BackgroundJob;
 
 /// A number of a result as a person says it.
 struct ResultName {
-    QString text;  ///< "Mᵤₚₛ, range"
-    QString unit;  ///< of its key; may be empty
+    QString text;         ///< "Mᵤₚₛ, range"
+    QString unit;         ///< of its key; may be empty
+    double period = 0.0;  ///< 360 or 720 of an angle; else 0
 
     /// The unit of its numbers on the screen.
     ShownUnit shown() const { return shownUnit(unit); }

@@ -1,6 +1,7 @@
 // How a study is changed: tolerances as they are typed, watched results and their limits, method.
 
 #include <algorithm>
+#include <cmath>
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
@@ -196,12 +197,15 @@ QString StudyModel::setLimits(const std::vector<Watched>& limits) {
     }
     Study next = study_;
     for (const Watched& limit : limits) {
-        if (const auto across = studies::upper_across_zero(limit)) {
-            return tr("The lower limit is above the upper limit: across 0° enter %1 instead of %2.")
-                .arg(formNumber(*across, QLocale()), formNumber(*limit.max, QLocale()));
-        }
         if (limit.min && limit.max && *limit.min > *limit.max) {
-            return tr("The lower limit is above the upper limit.");
+            const double period = resultName(limit.pointer).period;
+            if (period == 0.0) {
+                return tr("The lower limit is above the upper limit.");
+            }
+            const double across =
+                *limit.max + period * std::ceil((*limit.min - *limit.max) / period);
+            return tr("The lower limit is above the upper limit: across 0° enter %1 instead of %2.")
+                .arg(formNumber(across, QLocale()), formNumber(*limit.max, QLocale()));
         }
         std::replace_if(
             next.watch.begin(), next.watch.end(),
