@@ -14,12 +14,44 @@
 #include <vector>
 
 #include "case-file/input_error.h"
-#include "case-file/system_fault.h"
-#include "case-file/text_size.h"
 
 namespace ravnoves {
 
 namespace {
+
+constexpr std::size_t largest_text = 64U << 20U;  ///< bytes
+constexpr Text too_large = Text::tr("must be at most 64 MiB");
+
+/// What the operating system says of a file, by its errno: "No space left on device". The common
+/// ones are translated, the others as the system has them.
+Message system_fault(int error) {
+    struct Fault {
+        int error;
+        Text text;
+    };
+    static constexpr Fault faults[] = {
+        {ENOENT, Text::tr("No such file or directory")},
+        {EACCES, Text::tr("Permission denied")},
+        {EPERM, Text::tr("Operation not permitted")},
+        {ENOSPC, Text::tr("No space left on device")},
+        {EDQUOT, Text::tr("Disk quota exceeded")},
+        {EROFS, Text::tr("Read-only file system")},
+        {EISDIR, Text::tr("Is a directory")},
+        {ENOTDIR, Text::tr("Not a directory")},
+        {ENAMETOOLONG, Text::tr("File name too long")},
+        {EFBIG, Text::tr("File too large")},
+        {EBUSY, Text::tr("Device or resource busy")},
+        {ELOOP, Text::tr("Too many levels of symbolic links")},
+        {EMFILE, Text::tr("Too many open files")},
+        {EIO, Text::tr("Input/output error")},
+    };
+    for (const Fault& fault : faults) {
+        if (fault.error == error) {
+            return fault.text;
+        }
+    }
+    return std::strerror(error);
+}
 
 InputError not_written() {
     return {"", {Text::tr("cannot be written: %1"), system_fault(errno)}};
@@ -148,6 +180,12 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
 }
 
 }  // namespace
+
+void check_text_size(std::size_t bytes) {
+    if (bytes > largest_text) {
+        throw InputError("", too_large);
+    }
+}
 
 std::string read_text_file(const std::filesystem::path& path) {
     // Non-blocking: opening a pipe that nobody writes to would wait for ever.

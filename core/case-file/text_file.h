@@ -5,7 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "numerics/text.h"
+
 namespace ravnoves {
+
+inline constexpr Text not_a_file = Text::tr("must be a file, not a pipe or a device");
+
+/// @throws InputError for a text of more than 64 MiB, which is not read again
+void check_text_size(std::size_t bytes);
 
 /// The whole file as bytes: the one way in which the programs read a file that they are given. What
 /// might never end is rejected: a pipe, a device, a file of the system that makes one wait, one

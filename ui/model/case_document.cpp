@@ -10,7 +10,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "case-file/text_size.h"
 #include "model/enough_memory.h"
 #include "model/recovery.h"
 #include "scenes/case_sources.h"

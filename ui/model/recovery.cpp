@@ -10,7 +10,6 @@
 
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
-#include "case-file/text_size.h"
 #include "model/case_document.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"

@@ -16,7 +16,7 @@
 #include <set>
 #include <utility>
 
-#include "case-file/text_size.h"
+#include "case-file/text_file.h"
 #include "shop/model/journal.h"
 #include "shop/model/journal_rows.h"
 #include "shop/model/words.h"
