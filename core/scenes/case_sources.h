@@ -14,6 +14,13 @@ struct CaseFile;
 /// Whether both are one regular file, by whatever path, link or hard link.
 bool is_same_file(const std::filesystem::path& file, const std::filesystem::path& other);
 
+/// The files that the case names: each text under a key "csv", beside the case.
+std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const CaseContext& context);
+
+/// Rewrites the names of these files for a case that moves, so that they are the same files from
+/// there. A file below its folder is named by a short path; whole paths to elsewhere are unchanged.
+void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to);
+
 /// Whether the file is one that the case names; nothing may be written over it then.
 bool is_named_by(const CaseFile& file, const CaseContext& context,
                  const std::filesystem::path& path);

@@ -30,37 +30,6 @@ namespace ravnoves {
 
 namespace {
 
-/// Calls `visit` with each text under a key "csv".
-template <typename Value, typename Visit>
-void visit_files(Value& value, const Visit& visit) {
-    if (!value.is_structured()) {
-        return;
-    }
-    for (auto& item : value.items()) {
-        if (item.value().is_string() && value.is_object() && item.key() == "csv") {
-            visit(item.value());
-        }
-        visit_files(item.value(), visit);
-    }
-}
-
-template <typename File, typename Visit>
-void visit_files_of_case(File& file, const Visit& visit) {
-    visit_files(file.input, visit);
-    visit_files(file.kept, visit);
-    for (auto& variant : file.variants) {
-        visit_files(variant.input, visit);
-    }
-}
-
-/// Without links and detours, as far as the path exists.
-std::filesystem::path plain_path(const std::filesystem::path& path) {
-    std::error_code fault;
-    auto plain = std::filesystem::weakly_canonical(std::filesystem::absolute(path), fault);
-    plain = fault ? std::filesystem::absolute(path).lexically_normal() : plain;
-    return plain.has_filename() ? plain : plain.parent_path();
-}
-
 /// Of what was read field by field: rules that join fields, and files that it names, change none.
 template <typename Input>
 std::vector<Formula> formulas_of(const Json& input) {
@@ -197,32 +166,6 @@ CaseFile parse_case(std::string_view text) {
 
 CaseFile parse_shown_case(std::string_view text) {
     return workshop::as_job(parse_case(text));
-}
-
-std::vector<std::filesystem::path> files_named_by(const CaseFile& file,
-                                                  const CaseContext& context) {
-    std::vector<std::filesystem::path> files;
-    visit_files_of_case(file, [&](const Json& name) {
-        files.push_back(context.directory / name.get_ref<const std::string&>());
-    });
-    return files;
-}
-
-void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to) {
-    const std::filesystem::path folder = plain_path(to.directory);
-    const bool is_same = folder == plain_path(from.directory);
-    visit_files_of_case(file, [&](Json& name) {
-        const std::filesystem::path given = name.get<std::string>();
-        if (given.empty() || (is_same && given.is_relative())) {
-            return;
-        }
-        const std::filesystem::path whole = plain_path(from.directory / given);
-        const std::filesystem::path moved = whole.lexically_relative(folder);
-        const bool is_below = !moved.empty() && *moved.begin() != "..";
-        if (is_below || given.is_relative()) {
-            name = (moved.empty() ? whole : moved).generic_string();
-        }
-    });
 }
 
 Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& wanted) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -64,13 +63,6 @@ CaseFile parse_case(std::string_view text);
 /// a job of workshop.
 /// @throws InputError
 CaseFile parse_shown_case(std::string_view text);
-
-/// The files that the case names: each text under a key "csv", beside the case.
-std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const CaseContext& context);
-
-/// Rewrites the names of these files for a case that moves, so that they are the same files from
-/// there. A file below its folder is named by a short path; whole paths to elsewhere are unchanged.
-void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to);
 
 /// Solves a case and wraps the result, or its wanted part, in its envelope, without NaN or
 /// infinity.

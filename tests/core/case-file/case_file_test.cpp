@@ -4,6 +4,7 @@
 
 #include "case-file/text_file.h"
 #include "error_of.h"
+#include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
