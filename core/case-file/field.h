@@ -36,7 +36,9 @@ struct Field {
     bool is_setting = false;
 
     /// The range, or the size, that a value in the unit leaves; null where it is allowed.
-    const Range* left_by(double value) const { return left_one({&range, &size}, value); }
+    const Range* left_by(double value) const {
+        return !range.contains(value) ? &range : !size.contains(value) ? &size : nullptr;
+    }
     /// True for a whole number of the range or, where there are words, one that they name.
     bool allows_whole(double value) const;
     /// The rule as text: "must be a whole number from 6 to 1000", "must be 2 or 4".

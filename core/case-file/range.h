@@ -1,10 +1,7 @@
 #pragma once
 
 #include <cmath>
-#include <initializer_list>
 #include <limits>
-#include <string>
-#include <string_view>
 
 #include "case-file/message.h"
 #include "numerics/units.h"
@@ -40,17 +37,6 @@ struct Range {
     Message message(Unit unit = units::none) const;
     /// The rule for a whole number: "must be a whole number from 1 to 12".
     Message whole_number_message() const;
-    std::string describe() const { return message().english(); }
 };
-
-/// The first of the ranges that excludes the value; null where all contain it.
-inline const Range* left_one(std::initializer_list<const Range*> ranges, double value) {
-    for (const Range* range : ranges) {
-        if (!range->contains(value)) {
-            return range;
-        }
-    }
-    return nullptr;
-}
 
 }  // namespace ravnoves

@@ -189,9 +189,9 @@ TEST(Decimal, ReadsCommaAndPoint) {
 }
 
 TEST(RangeTest, DescribesItself) {
-    EXPECT_EQ(Range::greater_than(0).describe(), "must be greater than 0");
-    EXPECT_EQ(Range::between(0, 360).describe(), "must be from 0 to 360");
-    EXPECT_EQ((Range::greater_than(0, 5)).describe(), "must be greater than 0 and at most 5");
+    EXPECT_EQ(Range::greater_than(0).message(), "must be greater than 0");
+    EXPECT_EQ(Range::between(0, 360).message(), "must be from 0 to 360");
+    EXPECT_EQ(Range::greater_than(0, 5).message(), "must be greater than 0 and at most 5");
     EXPECT_FALSE(Range{}.contains(std::nan("")));
     EXPECT_FALSE(Range{}.contains(Range::unbounded));
 }
