@@ -43,22 +43,6 @@ TEST(Measure, FindsTheOrdersOfTheory) {
     EXPECT_NEAR(order("guide", "preload", 1.0, "rk4"), 4.0, 0.4);
 }
 
-TEST(Measure, CancelsAndTellsHowFarItIs) {
-    const Kernel& kernel = *find_kernel("slider-crank");
-    std::vector<double> parts;
-    const Progress until_half = [&](double part) {
-        parts.push_back(part);
-        return part < 0.5;
-    };
-    const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .max_seconds = 1e-9};
-    EXPECT_THROW(static_cast<void>(measure_work(kernel, 0, 0.3, quick, until_half)), Cancelled);
-    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
-    EXPECT_GE(parts.back(), 0.5);
-    parts.clear();
-    EXPECT_THROW(static_cast<void>(map_stability(kernel, 0, quick, until_half)), Cancelled);
-    EXPECT_LT(parts.back(), 0.7);
-}
-
 TEST(Measure, TellsWhereAMethodFails) {
     const Kernel& kernel = *find_kernel("slider-crank");
     StabilityMap map{&kernel, 0, {0.1, 0.2, 0.3, 0.4}, {}};
