@@ -122,11 +122,12 @@ TEST_F(TextFile, ANameMayBeAsLongAsNamesAre) {
 
 TEST_F(TextFile, ALinkIsFollowed) {
     const fs::path target = folder_ / "target";
-    write_text_file(target, "before");
-    fs::create_symlink(target, path_);
-    write_text_file(path_, "after");
-    EXPECT_TRUE(fs::is_symlink(fs::symlink_status(path_)));
-    EXPECT_EQ(read_text_file(target), "after");
+    fs::create_symlink("target", path_);
+    for (const char* text : {"new", "replaced"}) {
+        write_text_file(path_, text);
+        EXPECT_TRUE(fs::is_symlink(fs::symlink_status(path_)));
+        EXPECT_EQ(read_text_file(target), text);
+    }
 }
 
 /// A program that writes again and again is ended at any moment.
