@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 
 #include <string>
-#include <tuple>
 
 #include "case-file/json.h"
 #include "command_line.h"
@@ -98,19 +97,6 @@ TEST_F(CommandLine, NeverWritesTheResultOverAFileThatTheCaseReads) {
                     "study/torque.csv: is a file that the case reads");
     EXPECT_EQ(read_all(folder / "study/torque.csv"), table);
     EXPECT_TRUE(read_all(folder / "study/case.json") == text);
-}
-
-TEST_F(CommandLine, RejectsAnEnvelopeThatIsNotOurs) {
-    for (const auto& [pointer, value, start] :
-         {std::tuple("/version", Json(2), "must be at most 1"),
-          std::tuple("/scene", Json("balance-shafts"), "must be one of \"balance-shaft\""),
-          std::tuple("/format", Json("ravnoves-result"), "must be ")}) {
-        Json other = example();
-        other[Json::json_pointer(pointer)] = value;
-        write("other.json", other.dump());
-        expect_rejected(run("solve other.json"),
-                        "other.json: " + std::string(pointer) + ": " + start);
-    }
 }
 
 TEST_F(CommandLine, RejectsFilesThatHoldNoCase) {

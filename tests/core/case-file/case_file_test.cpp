@@ -47,6 +47,10 @@ TEST(CaseFileTest, WhatIsEmptyIsLeftOut) {
 }
 
 TEST(CaseFileTest, RejectionsNamePlaceRuleAndFinding) {
+    EXPECT_EQ(rejection(envelope(R"({"format": "ravnoves-result"})")),
+              "/format: must be one of \"ravnoves-case\", got \"ravnoves-result\"");
+    EXPECT_EQ(rejection(envelope(R"({"scene": "balance"})")),
+              "/scene: must be one of \"s\", got \"balance\"");
     EXPECT_EQ(rejection(envelope(R"({"notes": 3})")), "/notes: must be a text, got 3");
     EXPECT_EQ(rejection(envelope(R"({"study": []})")), "/study: must be an object, got []");
     EXPECT_EQ(rejection(envelope(R"({"kept": 1})")), "/kept: must be an object, got 1");
