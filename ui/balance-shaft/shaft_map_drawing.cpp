@@ -62,10 +62,9 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const
     }
     constexpr double apart = 7.0;  // lines of the hatch, pixels
     painter.fillPath(path, faint(theme.panel(), 0.38));
-    painter.setPen(QPen(faint(theme.text(), 0.42), 1.0));
-    painter.drawLines(hatchLines(path, apart, 1.0));
-    painter.setBrush(Qt::NoBrush);
-    paintLines(painter, {edges});
+    paintLines(painter, {{QPen(faint(theme.text(), 0.3), 1.0),
+                          hatchLines(path, plot.plotArea(), apart, 1.0)},
+                         edges});
 }
 
 void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits, const PlotView& plot) {

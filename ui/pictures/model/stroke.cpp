@@ -99,30 +99,33 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
     }
 }
 
-QList<QLineF> hatchLines(const QPainterPath& area, double apart, double fall) {
-    const QList<QPolygonF> outlines = area.toSubpathPolygons();
+std::vector<QPolygonF> hatchLines(const QPainterPath& area, const QRectF& seen, double apart,
+                                  double fall) {
     const auto lineOf = [&](const QPointF& at) { return (at.x() - fall * at.y()) / apart; };
+    const auto [first, last] = std::minmax({lineOf(seen.topLeft()), lineOf(seen.topRight()),
+                                            lineOf(seen.bottomLeft()), lineOf(seen.bottomRight())});
     QMap<int, std::vector<double>> heights;  // of the points of each line on outlines
-    for (const QPolygonF& outline : outlines) {
+    for (const QPolygonF& outline : area.toSubpathPolygons()) {
         for (qsizetype i = 0; i < outline.size(); ++i) {
             QPointF from = outline[i];
             QPointF to = outline[(i + 1) % outline.size()];
             if (lineOf(to) < lineOf(from)) {
                 std::swap(from, to);
             }
-            for (int n = static_cast<int>(std::ceil(lineOf(from))); n < lineOf(to); ++n) {
+            const double end = std::min(lineOf(to), last);
+            for (double n = std::ceil(std::max(lineOf(from), first)); n < end; ++n) {
                 const double part = (n - lineOf(from)) / (lineOf(to) - lineOf(from));
-                heights[n].push_back(std::lerp(from.y(), to.y(), part));
+                heights[static_cast<int>(n)].push_back(std::lerp(from.y(), to.y(), part));
             }
         }
     }
-    QList<QLineF> lines;
+    std::vector<QPolygonF> lines;
     for (auto line = heights.begin(); line != heights.end(); ++line) {
         std::vector<double>& y = line.value();
         std::sort(y.begin(), y.end());
         for (std::size_t i = 0; i + 1 < y.size(); i += 2) {
             const double x = line.key() * apart;
-            lines.append({x + fall * y[i], y[i], x + fall * y[i + 1], y[i + 1]});
+            lines.push_back({{x + fall * y[i], y[i]}, {x + fall * y[i + 1], y[i + 1]}});
         }
     }
     return lines;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QLineF>
-#include <QList>
 #include <QPen>
 #include <QPolygonF>
 #include <vector>
@@ -24,13 +22,14 @@ struct LinesOfPen {
     QPen pen;
     std::vector<QPolygonF> lines;
 };
-/// One after the other, onto the pixels of a picture, else into one layer that is laid over the
-/// screen once.
+/// One after the other, onto the pixels of the picture, else into one layer that is laid over it
+/// once.
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
 
-/// Lines at 45° that fill an area.
+/// Lines at 45° that fill an area, those that may meet a rectangle.
 /// @param apart  from one to the next, across the page
 /// @param fall  1: they fall to the right, −1: to the left
-QList<QLineF> hatchLines(const QPainterPath& area, double apart, double fall);
+std::vector<QPolygonF> hatchLines(const QPainterPath& area, const QRectF& seen, double apart,
+                                  double fall);
 
 }  // namespace ravnoves

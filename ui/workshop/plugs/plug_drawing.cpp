@@ -106,8 +106,8 @@ class Sketch {
             removed = removed.subtracted(bore).intersected(metal);
         }
         // Hatching of the section, drawn line by line so that it is the same on every device.
-        painter_.setPen(pen(style_.thin, style_.lineWidth * 0.4));
-        painter_.drawLines(hatchLines(metal.subtracted(removed), 0.45 * em_, -1.0));
+        paintLines(painter_, {{pen(style_.thin, style_.lineWidth * 0.4),
+                               hatchLines(metal.subtracted(removed), section_, 0.45 * em_, -1.0)}});
         if (!removed.isEmpty()) {
             QColor fill = style_.cut;
             fill.setAlphaF(0.25F);
