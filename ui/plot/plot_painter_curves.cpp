@@ -55,6 +55,7 @@ void PlotPainter::paintCurves(QPainter& painter) const {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(data_.area);
+    std::vector<LinesOfPen> lines;
     for (const PlotCurve& curve : data_.curves) {
         if (curve.shown && !curve.stretches.empty()) {
             QPen pen(Theme::instance().colour(curve.style.role), strokeScale() * curve.style.width,
@@ -65,11 +66,12 @@ void PlotPainter::paintCurves(QPainter& painter) const {
                 ground.setWidthF(cleared * pen.widthF());
                 ground.setDashPattern({dashOnAnother / cleared, dashOnAnother / cleared});
                 pen.setDashPattern({dashOnAnother, dashOnAnother});
-                ravnoves::paintLines(painter, {{ground, curve.stretches}});
+                lines.push_back({ground, curve.stretches});
             }
-            ravnoves::paintLines(painter, {{pen, curve.stretches}});
+            lines.push_back({pen, curve.stretches});
         }
     }
+    ravnoves::paintLines(painter, lines);
     painter.restore();
     paintPoints(painter);
 }

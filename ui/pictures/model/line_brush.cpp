@@ -1,8 +1,9 @@
 #include "pictures/model/line_brush.h"
 
+#include <QtEndian>
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 #include "pictures/model/crossings.h"
@@ -257,10 +258,11 @@ void LineBrush::ink(const QColor& colour) {
         auto* pixels =
             reinterpret_cast<std::uint32_t*>(picture_.scanLine(clip_.top() + row)) + clip_.left();
         for (int eight = touched.first; eight < touched.second; eight += 8) {
-            std::uint64_t covers = 0;  // most are not on any line
-            std::memcpy(&covers, cover + eight, sizeof covers);
-            const int end = covers != 0 ? std::min(eight + 8, touched.second) : eight;
-            for (int column = eight; column < end; ++column) {
+            // Most are not on any line; of eight only those between the first and the last one.
+            const auto covers = qFromLittleEndian<std::uint64_t>(cover + eight);
+            const int begin = eight + std::countr_zero(covers) / 8;
+            const int end = std::min(eight + 8 - std::countl_zero(covers) / 8, touched.second);
+            for (int column = begin; column < end; ++column) {
                 pixels[column] = mixed(paint, pixels[column], shareOf(cover[column], alpha));
                 cover[column] = 0;
             }
