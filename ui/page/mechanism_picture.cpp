@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "pictures/picture_file.h"
-#include "pictures/widget_picture.h"
 #include "plot/plot_view.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -36,7 +35,6 @@ MechanismPicture::MechanismPicture(CrankAngle* crank, const QString& name, const
                                    QWidget* parent)
     : ComparedFigure(parent), crank_(crank) {
     setFocusPolicy(Qt::StrongFocus);
-    setAttribute(Qt::WA_OpaquePaintEvent);  // it begins with its own ground
     setAccessibleName(name);
     setToolTip(hint);
     timer_.setInterval(frameMs);
@@ -86,40 +84,13 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
 
 void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    if (drawsForFile(painter, *this)) {
+    const bool isForFile = drawsForFile(painter, *this);
+    if (isForFile) {
         painter.fillRect(rect(), Theme::instance().panel());
-        painter.setRenderHint(QPainter::Antialiasing);
-        paintPicture(painter);
-        return;
     }
-    // Into a picture whose pixels lines and shapes are painted on.
-    fitPicture(picture_, *this);
-    QPainter inside(&picture_);
-    inside.setFont(font());
-    paintSurface(inside);
-    inside.setRenderHint(QPainter::Antialiasing);
-    paintPicture(inside);
-    drawFocus(inside);
-    inside.end();
-    drawPicture(painter, picture_, rect());
-}
-
-void MechanismPicture::paintSurface(QPainter& painter) const {
-    painter.fillRect(rect(), Theme::instance().panel());
-    const auto* panel = qobject_cast<const Panel*>(parentWidget());
-    if (panel == nullptr) {
-        return;
-    }
-    constexpr int round = 2;  // pixels of a corner that reach into it
-    painter.save();
-    painter.setClipRegion(QRegion(0, 0, round, round) + QRegion(width() - round, 0, round, round));
-    painter.fillRect(rect(), Theme::instance().window());
-    paintPanel(painter, panel->rect().translated(-pos()));
-    painter.restore();
-}
-
-void MechanismPicture::drawFocus(QPainter& painter) const {
-    if (hasFocus()) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintPicture(painter);
+    if (hasFocus() && !isForFile) {
         painter.setPen(QPen(Theme::instance().accent(), 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));

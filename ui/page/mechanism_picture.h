@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QImage>
 #include <QTimer>
 
 #include "model/crank_angle.h"
@@ -43,7 +42,7 @@ class MechanismPicture : public ComparedFigure {
   protected:
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
-    /// All that is on the surface; smooth.
+    /// All that is on the panel; smooth.
     virtual void paintPicture(QPainter& painter) = 0;
     /// Moves on by the time since the picture before, s.
     virtual void play(double seconds);
@@ -53,13 +52,7 @@ class MechanismPicture : public ComparedFigure {
     static QPen ghostPen();
 
   private:
-    /// What all else is painted on; the corners of a panel around it stay round.
-    void paintSurface(QPainter& painter) const;
-    /// The frame around a picture with the focus.
-    void drawFocus(QPainter& painter) const;
-
     CrankAngle* crank_;
-    QImage picture_;  ///< the picture on screen, whose pixels lines and shapes are painted on
     QTimer timer_;
     QElapsedTimer sinceStep_;
 };

@@ -10,7 +10,6 @@
 
 #include "pictures/figure.h"
 #include "pictures/picture_file.h"
-#include "pictures/widget_picture.h"
 #include "plot/legend_item.h"
 #include "plot/model/plot_sentence.h"
 #include "plot/plot_painter.h"
@@ -35,6 +34,19 @@ class AccessiblePlot final : public QAccessibleWidget {
 QAccessibleInterface* makeAccessible(const QString& /*className*/, QObject* object) {
     auto* plot = qobject_cast<PlotView*>(object);
     return plot != nullptr ? new AccessiblePlot(plot) : nullptr;
+}
+
+/// Gives a picture the size of a widget, in its pixels; opaque. @return true where that is another
+/// one, and nothing in it
+bool fitPicture(QImage& picture, const QWidget& widget) {
+    const double ratio = widget.devicePixelRatioF();
+    const QSize pixels = (QSizeF(widget.size()) * ratio).toSize();
+    if (picture.size() == pixels && picture.devicePixelRatio() == ratio) {
+        return false;
+    }
+    picture = QImage(pixels, QImage::Format_RGB32);
+    picture.setDevicePixelRatio(ratio);
+    return true;
 }
 
 }  // namespace
@@ -314,7 +326,10 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
     }
     paintAxesPicture();
     paintCurvesPicture();
-    drawPicture(painter, picture_, rect());
+    if (const double ratio = devicePixelRatioF(); ratio != std::floor(ratio)) {
+        painter.fillRect(rect().adjusted(-1, -1, 1, 1), Theme::instance().panel());
+    }
+    painter.drawImage(0, 0, picture_);
     paintMoving(painter);
 }
 

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <QPainter>
+#include <QScreen>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "events.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 
@@ -309,6 +312,24 @@ TEST(PaintDisc, ItsRingCoversAsMuchAsItIsWide) {
     }
 }
 
+/// One of each, some of them cut by the paper's edge.
+void paintEach(QPainter& painter, const QColor& ink, int alpha) {
+    const auto pen = [&](double width, Qt::PenStyle style) {
+        return QPen(QColor(ink.red(), ink.green(), ink.blue(), alpha), width, style);
+    };
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(pen(1.6, Qt::SolidLine));
+    painter.setBrush(QColor(200, 120, 0, alpha));
+    painter.translate(3.3, 1.7);
+    paintPolygon(painter, {{-20, 20}, {70, 60}, {60, 90}, {-40, 50}});
+    paintDisc(painter, {120, 60}, 31.4);
+    paintBar(painter, {150, 100}, {260, 140}, 9.0);
+    paintBlock(painter, {20, 110, 60, 60}, 8.0);
+    paintLine(painter, {10, 100}, {90, 145});
+    painter.setPen(pen(1.2, Qt::DashLine));
+    paintLine(painter, {150, 20}, {225, 35});
+}
+
 /// Onto the pixels of a picture directly, onto all else by a layer: that is the same.
 TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
     for (const double scale : {1.0, 2.0}) {
@@ -318,20 +339,10 @@ TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
                 image.fill(QColor(230, 200, 90));
                 image.setDevicePixelRatio(scale);
                 QPainter painter(&image);
-                painter.setRenderHint(QPainter::Antialiasing);
                 if (hasLayer) {
                     painter.setClipRect(QRectF(QPointF(), paper().size()));
                 }
-                painter.setPen(QPen(QColor(10, 40, 60, alpha), 1.6));
-                painter.setBrush(QColor(200, 120, 0, alpha));
-                painter.translate(3.3, 1.7);
-                paintPolygon(painter, {{-20, 20}, {70, 60}, {60, 90}, {-40, 50}});
-                paintDisc(painter, {120, 60}, 31.4);
-                paintBar(painter, {150, 100}, {260, 140}, 9.0);
-                paintBlock(painter, {20, 110, 60, 60}, 8.0);
-                paintLine(painter, {10, 100}, {90, 145});
-                painter.setPen(QPen(QColor(10, 40, 60, alpha), 1.2, Qt::DashLine));
-                paintLine(painter, {150, 20}, {225, 35});
+                paintEach(painter, QColor(10, 40, 60), alpha);
                 painter.end();
                 return image;
             };
@@ -339,6 +350,52 @@ TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
             const QImage layer = painted(true);
             EXPECT_LE(maxDifference(onto, layer), 2) << scale << ' ' << alpha;
         }
+    }
+}
+
+class Sheet final : public QWidget {
+  public:
+    using QWidget::QWidget;
+    QColor ink = Qt::blue;
+
+    QImage alone() const {
+        QImage image = paper();
+        QPainter painter(&image);
+        paintEach(painter, ink, 200);
+        return image;
+    }
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        painter.fillRect(rect(), Qt::white);
+        paintEach(painter, ink, 200);
+    }
+};
+
+TEST(PaintShapes, OfAWidgetStayWhereItIsPaintedAgain) {
+    QWidget window;
+    Sheet sheet(&window);
+    sheet.setGeometry(QRect(QPoint(31, 17), paper().size()));
+    test::showAt(window, {300, 200});
+    const auto shown = [&] {
+        return window.screen()
+            ->grabWindow(window.winId())
+            .toImage()
+            .convertToFormat(QImage::Format_RGB32);
+    };
+    QImage before = shown();
+    EXPECT_LE(maxDifference(before.copy(sheet.geometry()), sheet.alone()), 2);
+    for (const QRegion& part :
+         {QRegion(40, 30, 100, 70), QRegion(10, 90, 60, 50) + QRegion(150, 10, 60, 90)}) {
+        sheet.ink = sheet.ink == Qt::blue ? Qt::red : Qt::darkGreen;
+        sheet.repaint(part);
+        QPainter painter(&before);
+        painter.translate(sheet.pos());
+        painter.setClipRegion(part);
+        painter.drawImage(0, 0, sheet.alone());
+        painter.end();
+        EXPECT_LE(maxDifference(shown(), before), 2);
     }
 }
 

@@ -13,17 +13,22 @@ bool paintsPixels(const QPainter& painter) {
 }
 
 PaintedPixels::PaintedPixels(QPainter& painter, const QRectF& box) : painter_(painter) {
-    const QPaintDevice& device = *painter.paintEngine()->paintDevice();
-    QRectF clip(0.0, 0.0, device.width(), device.height());
-    bool isSimple = true;
+    // Of a widget the picture of its window, where only its own place may change.
+    QPaintDevice* const device = painter.paintEngine()->paintDevice();
+    const QRegion place = painter.paintEngine()->systemClip();
+    QRectF clip(0.0, 0.0, device->width(), device->height());
+    bool isSimple = place.rectCount() <= 1;
+    if (!place.isEmpty()) {
+        clip &= place.boundingRect();
+    }
     if (painter.hasClipping()) {
         constexpr double small = 64.0 * 64.0;
-        isSimple = box.width() * box.height() >= small && painter.clipRegion().rectCount() == 1;
+        isSimple = isSimple && box.width() * box.height() >= small &&
+                   painter.clipRegion().rectCount() == 1;
         clip &= painter.deviceTransform().mapRect(painter.clipBoundingRect());
     }
-    auto* const image = painter.device()->devType() == QInternal::Image
-                            ? static_cast<QImage*>(painter.device())
-                            : nullptr;
+    auto* const image =
+        device->devType() == QInternal::Image ? static_cast<QImage*>(device) : nullptr;
     if (image != nullptr && isSimple && painter.opacity() == 1.0 &&
         painter.compositionMode() == QPainter::CompositionMode_SourceOver &&
         (image->format() == QImage::Format_RGB32 ||

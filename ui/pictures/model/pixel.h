@@ -12,8 +12,8 @@ namespace ravnoves {
 bool paintsPixels(const QPainter& painter);
 
 /// The pixels that a box covers under such a painter, to be written to: of the picture that it
-/// paints on, or of a clear layer, which is laid over anything else, as a widget, in the end. Of a
-/// small box where the painter is clipped a layer, too: reading the clip takes as long.
+/// paints on, or of a clear layer, which is laid over anything else in the end. Of a small box
+/// where the painter is clipped a layer, too: reading the clip takes as long.
 class PaintedPixels {
   public:
     /// @param box  on the device
