@@ -10563,6 +10563,13 @@
     </message>
 </context>
 <context>
+    <name>ravnoves::AnswerLabel</name>
+    <message>
+        <source>Copy text</source>
+        <translation>Копировать текст</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::BalanceShaftModel</name>
     <message>
         <source>Torque source</source>

@@ -169,15 +169,13 @@ void PartTable::clearSpread(bool another) {
 }
 
 PartText::PartText(SceneModel* model, std::string_view id, QWidget* parent)
-    : QLabel(parent), PartView(model, id, this) {
-    setWordWrap(true);
-    setTextFormat(Qt::PlainText);
+    : AnswerLabel(parent), PartView(model, id, this) {
     setFont(Theme::font(Theme::smallSize));
     colourText(this, &Theme::mutedText);
 }
 
 void PartText::showEvent(QShowEvent* event) {
-    QLabel::showEvent(event);
+    AnswerLabel::showEvent(event);
     shown();
 }
 
@@ -190,8 +188,6 @@ void PartText::showPart(const Content& content) {
     }
     // No unit is broken behind its stroke.
     setText(lines.join(QLatin1Char('\n')).replace(u'/', QStringLiteral("/\u2060")));
-    // Nothing takes no focus.
-    setTextInteractionFlags(lines.isEmpty() ? Qt::NoTextInteraction : Qt::TextSelectableByMouse);
 }
 
 }  // namespace ravnoves

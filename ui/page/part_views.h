@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QLabel>
 #include <vector>
 
 #include "model/part.h"
 #include "model/scene_model.h"
 #include "plot/plot_view.h"
+#include "widgets/answer_label.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -101,8 +101,8 @@ class PartTable : public ResultTable, public PartView {
     bool hidesWhereEmpty_ = false;
 };
 
-/// Lines of text, which are selected and copied.
-class PartText : public QLabel, public PartView {
+/// Lines of text.
+class PartText : public AnswerLabel, public PartView {
     Q_OBJECT
 
   public:

@@ -14,6 +14,7 @@
 #include "text/number_text.h"
 #include "text/tip_text.h"
 #include "theme/theme.h"
+#include "widgets/answer_label.h"
 #include "widgets/entry_field.h"
 
 namespace ravnoves {
@@ -262,18 +263,15 @@ QLabel* captionLabel(const QString& text, QWidget* parent) {
 }
 
 QLabel* copyableCaption(const char* name, QWidget* parent) {
-    QLabel* label = captionLabel({}, parent);
-    label->setObjectName(QLatin1String(name));
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QLabel* label = copyableLabel(name, Theme::smallSize, parent);
+    colourText(label, &Theme::mutedText);
     return label;
 }
 
 QLabel* copyableLabel(const char* name, int pixelSize, QWidget* parent, bool bold) {
-    auto* label = new QLabel(parent);
+    auto* label = new AnswerLabel(parent);
     label->setObjectName(QLatin1String(name));
-    label->setWordWrap(true);
     label->setFont(Theme::font(pixelSize, bold));
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
 }
 

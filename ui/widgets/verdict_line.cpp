@@ -12,6 +12,7 @@
 
 #include "text/message_text.h"
 #include "theme/theme.h"
+#include "widgets/answer_label.h"
 #include "widgets/apart.h"
 #include "widgets/layouts.h"
 
@@ -107,7 +108,7 @@ VerdictLine::VerdictLine(QWidget* parent)
     : QWidget(parent),
       sign_(new QLabel(this)),
       word_(new QLabel(this)),
-      text_(new QLabel(this)),
+      text_(new AnswerLabel(this)),
       act_(new QPushButton(this)) {
     QHBoxLayout* line = rowIn(this, Theme::space, {Theme::space, Theme::gap, Theme::space, 0});
     auto* row = new QHBoxLayout;
@@ -115,9 +116,6 @@ VerdictLine::VerdictLine(QWidget* parent)
     bold.setBold(true);
     word_->setFont(bold);
     text_->setObjectName(QStringLiteral("verdict"));
-    text_->setTextFormat(Qt::PlainText);
-    text_->setWordWrap(true);
-    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     act_->setObjectName(QStringLiteral("verdict_act"));
     row->addWidget(sign_);
     row->addWidget(word_);

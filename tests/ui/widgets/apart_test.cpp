@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QClipboard>
 #include <QTest>
 #include <QVBoxLayout>
 
 #include "comes.h"
 #include "plot/plot_view.h"
+#include "widgets/answer_label.h"
 
 namespace ravnoves {
 namespace {
@@ -27,8 +29,6 @@ class LayoutCount : public QWidget {
 class ApartTest : public testing::Test {
   protected:
     ApartTest() {
-        label_->setWordWrap(true);
-        label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
         auto* column = new QVBoxLayout(&page_);
         apart_ = new Apart(label_, &page_);
         column->addWidget(apart_);
@@ -46,7 +46,7 @@ class ApartTest : public testing::Test {
     bool isFitted() const { return label_->height() == label_->heightForWidth(label_->width()); }
 
     LayoutCount page_;
-    QLabel* label_ = new QLabel;
+    AnswerLabel* label_ = new AnswerLabel;
     Apart* apart_ = nullptr;
 };
 
@@ -112,6 +112,34 @@ TEST_F(ApartTest, ATextThatComesWhileThePageIsHiddenGetsItsRoom) {
     page_.show();
     QApplication::processEvents();
     EXPECT_EQ(page_.count, 0);
+}
+
+TEST_F(ApartTest, ItsMenuCopiesTheText) {
+    ASSERT_EQ(label_->contextMenuPolicy(), Qt::ActionsContextMenu);
+    label_->setText(QStringLiteral("Mass 1.25 kg\nRadius 40 mm"));
+    label_->actions().constFirst()->trigger();
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), label_->text());
+}
+
+TEST_F(ApartTest, AllLinesThatItMeasuresArePaintedInItsInk) {
+    const int height = label_->heightForWidth(300);
+    label_->setText(QStringLiteral("one\ntwo\nthree"));
+    settle();
+    EXPECT_EQ(label_->heightForWidth(300), 3 * height);
+    QPalette palette = label_->palette();
+    palette.setColor(QPalette::WindowText, Qt::red);
+    label_->setPalette(palette);
+    const QImage image = label_->grab().toImage();
+    std::vector<bool> hasInk(3);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor at = image.pixelColor(x, y);
+            if (at.red() > at.green() + 100) {
+                hasInk[static_cast<std::size_t>(3 * y / image.height())] = true;
+            }
+        }
+    }
+    EXPECT_EQ(hasInk, std::vector<bool>(3, true));
 }
 
 }  // namespace
