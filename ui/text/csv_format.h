@@ -25,8 +25,15 @@ struct CsvFormat {
     /// The bytes of a file: spreadsheets know UTF-8 by its byte-order mark.
     static std::string file(const QString& text) { return "\xEF\xBB\xBF" + text.toStdString(); }
 
-    /// The true minus of a number becomes the one that spreadsheets know.
-    static QString plainMinus(QString text) {
+    /// A number of the screen as spreadsheets know it: −3.2·10⁻⁷ as -3.2e-7.
+    static QString plainNumber(QString text) {
+        static const QRegularExpression power(
+            QStringLiteral("^(\u2212?)(?:([0-9.,]+)\u00B7)?10([⁻⁰¹²³⁴-⁹]+)$"));
+        if (const auto found = power.match(text); found.hasMatch()) {
+            const QString factor = found.captured(2);
+            text = found.captured(1) + (factor.isEmpty() ? QStringLiteral("1") : factor) +
+                   QLatin1Char('e') + found.captured(3).normalized(QString::NormalizationForm_KC);
+        }
         if (text.size() > 1 && text.front() == QChar(0x2212) && text[1].isDigit()) {
             text[0] = QLatin1Char('-');
         }
@@ -37,7 +44,7 @@ struct CsvFormat {
 
     /// A text or a number as on the screen.
     QString field(const QString& shown) const {
-        QString text = plainMinus(shown);
+        QString text = plainNumber(shown);
         if (text.contains(separator) || text.contains(QLatin1Char('"'))) {
             text.replace(QLatin1Char('"'), QLatin1String("\"\""));
             return QLatin1Char('"') + text + QLatin1Char('"');

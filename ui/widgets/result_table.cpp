@@ -433,7 +433,7 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     for (int row = selectionOnly ? 0 : -1; row < rowCount(); ++row) {  // the headings first
         QStringList line;
         for (int column = 0; column < columnCount(); ++column) {
-            if (selectionOnly && !item(row, column)->isSelected()) {
+            if (isColumnHidden(column) || (selectionOnly && !item(row, column)->isSelected())) {
                 continue;
             }
             const QString& heading = headings_[column].heading;
@@ -450,7 +450,7 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
             }
         }
         for (QString& each : line) {
-            each = separator == QLatin1Char('\t') ? csv.plainMinus(each) : csv.field(each);
+            each = separator == QLatin1Char('\t') ? csv.plainNumber(each) : csv.field(each);
         }
         if (!line.isEmpty()) {
             text += line.join(separator) + QLatin1Char('\n');

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTabWidget>
 #include <QToolButton>
@@ -187,6 +188,17 @@ TEST_F(MethodsPageTest, NanosecondsAreBehindDetails) {
         EXPECT_NE(page.table()->isColumnHidden(2), shown);
         EXPECT_NE(page.table()->isColumnHidden(4), shown);
         EXPECT_EQ(find<QLabel>("words")->text().contains(QStringLiteral("One evaluation")), shown);
+        // Copied is what is shown, its numbers as spreadsheets read them.
+        page.table()->clearSelection();
+        page.table()->setFocus();
+        QTest::keyClick(page.table(), Qt::Key_C, Qt::ControlModifier);
+        const QString copied = QApplication::clipboard()->text();
+        EXPECT_EQ(copied, page.resultsAsText());
+        EXPECT_EQ(copied.section(QLatin1Char('\n'), 0, 0).count(QLatin1Char('\t')), shown ? 4 : 2);
+        EXPECT_FALSE(copied.contains(QRegularExpression(QStringLiteral("\\t−?[0-9.]*·?10[⁻⁰-⁹]"))));
+        EXPECT_TRUE(
+            copied.contains(QRegularExpression(QStringLiteral("\\t[0-9.]+e-[0-9]+[\\t\\n]"))))
+            << copied.toStdString();
         QTest::mouseClick(find<QToolButton>("details"), Qt::LeftButton);
     }
 }
