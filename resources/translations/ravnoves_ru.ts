@@ -14939,8 +14939,8 @@ but no position is feasible</source>
         <translation>Результатов нет.</translation>
     </message>
     <message>
-        <source>Only differences are listed, inputs first; in brackets the difference from the reference. ★ marks the best.</source>
-        <translation>Перечислено только то, что отличается, сначала исходные данные; в скобках разность с эталоном. ★ отмечает лучшее.</translation>
+        <source>Only differences are listed, inputs first; in brackets the difference from the reference. ★ marks the best of those without a warning.</source>
+        <translation>Перечислено только то, что отличается, сначала исходные данные; в скобках разность с эталоном. ★ отмечает лучшее из вариантов без предупреждений.</translation>
     </message>
     <message>
         <source>Rejected: %1 × %2</source>
@@ -17266,8 +17266,8 @@ but no position is feasible</source>
         <translation>Отличающаяся исходная величина.</translation>
     </message>
     <message>
-        <source>★ marks the best.</source>
-        <translation>★ отмечает лучшее.</translation>
+        <source>★ marks the best of those without a warning.</source>
+        <translation>★ отмечает лучшее из вариантов без предупреждений.</translation>
     </message>
     <message>
         <source>No variants yet. Press Ctrl+K to keep the present input as a variant.</source>

@@ -82,11 +82,16 @@ ResultCell against(ResultCell cell, const ResultCell* reference) {
 }
 
 /// Marks the best of the designs of a row, where one is better than another.
-void markBest(ResultRow& row) {
+/// @param areSound  of each cell: its design has no warning; another's number is no rival
+void markBest(ResultRow& row, const std::vector<bool>& areSound) {
     std::vector<double> values;
-    for (const ResultCell& cell : row) {
-        if (const ResultNumber* number = cell.number(); number != nullptr && cell.isSmallerBetter) {
-            values.push_back(std::abs(number->value));
+    const auto isRival = [&](qsizetype i) {
+        return areSound[static_cast<std::size_t>(i)] && row[i].number() != nullptr &&
+               row[i].isSmallerBetter;
+    };
+    for (qsizetype i = 0; i < row.size(); ++i) {
+        if (isRival(i)) {
+            values.push_back(std::abs(row[i].number()->value));
         }
     }
     const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
@@ -94,13 +99,12 @@ void markBest(ResultRow& row) {
     if (values.size() < 2 || *maximum - *minimum <= rounding * *maximum) {
         return;
     }
-    for (ResultCell& cell : row) {
-        const ResultNumber* number = cell.number();
-        if (number != nullptr && std::abs(number->value) - *minimum <= rounding * *maximum) {
-            cell.isBest = true;
-        }
+    for (qsizetype i = 0; i < row.size(); ++i) {
+        row[i].isBest =
+            isRival(i) && std::abs(row[i].number()->value) - *minimum <= rounding * *maximum;
     }
-    row.tip += QLatin1Char('\n') + VariantTableWords::tr("★ marks the best.");
+    row.tip +=
+        QLatin1Char('\n') + VariantTableWords::tr("★ marks the best of those without a warning.");
 }
 
 }  // namespace
@@ -114,19 +118,23 @@ VariantResults variantResults(const SceneModel& model) {
     };
     VariantResults all;
     std::vector<Column> columns;
+    std::vector<bool> areSound{false};  // the names are no design
     // All by a model of one kind: what a job computes, none of them has.
     const std::unique_ptr<SceneModel> other = model.another(false);
     const auto take = [&](Column& column, const Json& input, const SceneModel& of) {
         column.input = input;
         column.layout = of.layoutText();
         column.numbers = numbersOf(of);
-        if (const std::optional<Verdict> verdict = of.verdictShown()) {
+        const std::optional<Verdict> verdict = of.verdictShown();
+        areSound.back() = !verdict || verdict->severity < Severity::warning;
+        if (verdict) {
             all.verdicts << column.title + QStringLiteral(": ") + messageText(verdict->text);
         }
     };
     const auto add = [&](const QString& title, const Json& input) {
         Column& column = columns.emplace_back();
         column.title = title;
+        areSound.push_back(false);
         try {
             other->loadCase(input, model.context(), title);
             other->takeView(model);
@@ -226,7 +234,7 @@ VariantResults variantResults(const SceneModel& model) {
         if (areLayouts && isNothing) {
             continue;
         }
-        markBest(row);
+        markBest(row, areSound);
         results.rows << row;
     }
     results.rows << last;

@@ -199,7 +199,7 @@ void addVariants(Report& report, const SceneModel& model) {
     report.items.push_back(std::move(table));
     QString how = ReportWords::tr(
         "Only differences are listed, inputs first; in brackets the difference from the reference. "
-        "★ marks the best.");
+        "★ marks the best of those without a warning.");
     if (model.reference() >= 0) {
         how +=
             QLatin1Char(' ') + ReportWords::tr("In the plots the curves of %1 are dimmed and wide.")
