@@ -113,7 +113,6 @@ QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
         best.button = new QPushButton(tr("Apply"), parent);
         best.button->setObjectName(QLatin1String(name));
         best.button->setAccessibleName(QString(act).remove(QLatin1Char('&')));
-        best.button->setToolTip(best.button->accessibleName());
         connect(best.button, &QPushButton::clicked, model_, go);
         grid->addWidget(new Apart(label, parent), row, 0);
         grid->addWidget(best.button, row, 1);
@@ -128,9 +127,11 @@ QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
 
 void BalanceShaftPage::showBest() {
     for (const Best& best : best_) {
-        const bool isThere = model_->best(best.criterion).shaft_angle.has_value();
-        best.button->setEnabled(isThere);
-        best.action->setEnabled(isThere);
+        enableWhereFeasible(*best.button, model_->result().buildable);
+        if (!model_->best(best.criterion).shaft_angle) {
+            best.button->setEnabled(false);
+        }
+        best.action->setEnabled(best.button->isEnabled());
     }
 }
 

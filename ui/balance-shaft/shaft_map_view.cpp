@@ -197,7 +197,6 @@ void ShaftMapView::showPresent() {
     const ShaftMapModel::Marker* best = map_->best();
     best_->setEnabled(best != nullptr && best->isBuildable && !map_->isAtBest());
     best_->setToolTip(why);
-    best_->setAccessibleDescription(why);
     plot_->setAccessibleDescription(shaft_map_text::place(*map_, map_->present()));
 }
 

@@ -14,6 +14,7 @@
 #include "balance-shaft/speed_view.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
+#include "text/message_text.h"
 #include "theme/theme.h"
 #include "widgets/assumed.h"
 #include "widgets/field_slider.h"
@@ -239,6 +240,11 @@ QWidget* ShaftTabs::buildForces() {
     constexpr int chartHeight = 230;  ///< designed pixels with which their curves are read
     grid->setRowMinimumHeight(1, Theme::withText(chartHeight));
     return holder;
+}
+
+void enableWhereFeasible(QPushButton& button, const balance_shaft::BuildableAngles& angles) {
+    button.setEnabled(!angles.stretches.empty());
+    button.setToolTip(button.isEnabled() ? button.accessibleName() : messageText(angles.reason));
 }
 
 std::size_t nearestPoint(const PlotView& plot, std::string_view curve, double x, double y) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "balance-shaft/clearance.h"
 #include "widgets/page_columns.h"
+
+class QPushButton;
 
 namespace ravnoves {
 
@@ -33,6 +36,9 @@ class ShaftTabs : public FittedTabs {
 
     BalanceShaftModel* model_;
 };
+
+/// A button that moves the shaft to an angle: disabled with the reason where none is feasible.
+void enableWhereFeasible(QPushButton& button, const balance_shaft::BuildableAngles& angles);
 
 /// The point of a curve that is drawn next to a place of the chart.
 std::size_t nearestPoint(const PlotView& plot, std::string_view curve, double x, double y);

@@ -12,6 +12,7 @@
 #include "balance-shaft/change_colours.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/speed_study_model.h"
+#include "balance-shaft/shaft_tabs.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "model/background_job.h"
 #include "page/part_views.h"
@@ -180,8 +181,8 @@ QWidget* SpeedView::buildWords() {
     colourText(answer, &Theme::text);
     row->addWidget(answer, 1);
     applyBestCompromise_ = new QPushButton(tr("Apply"), panel);
+    applyBestCompromise_->setObjectName(QStringLiteral("go_best_compromise"));
     applyBestCompromise_->setAccessibleName(tr("Apply the best compromise α"));
-    applyBestCompromise_->setToolTip(applyBestCompromise_->accessibleName());
     connect(applyBestCompromise_, &QPushButton::clicked, study_,
             &SpeedStudyModel::goToBestCompromise);
     row->addWidget(applyBestCompromise_);
@@ -226,6 +227,9 @@ Form* SpeedView::buildForm() {
 
 void SpeedView::showStudy() {
     applyBestCompromise_->setVisible(study_->isSolved());
+    if (study_->isSolved()) {
+        enableWhereFeasible(*applyBestCompromise_, study_->buildable());
+    }
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
     charts_->setVisible(!study_->isRejected());
 }

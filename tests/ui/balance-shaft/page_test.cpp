@@ -13,6 +13,7 @@
 #include <QSlider>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -23,6 +24,7 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "import_file.h"
 #include "page_fixture.h"
+#include "text/message_text.h"
 #include "widgets/verdict_line.h"
 
 namespace ravnoves {
@@ -165,6 +167,23 @@ TEST_F(BalanceShaftPageTest, BestButtonsGoThere) {
     type("shaft_swing_radius_mm", QStringLiteral("8"));
     press("go_best_range");
     EXPECT_NEAR(model->shaftAngleDeg(), 50.65, 0.05);
+}
+
+/// Where no α is feasible, none is offered, and the reason is said.
+TEST_F(BalanceShaftPageTest, BestButtonsOfferNothingThatDoesNotFit) {
+    type("clearance_mm", QStringLiteral("50"));
+    const balance_shaft::BuildableAngles& angles = model->result().buildable;
+    ASSERT_TRUE(angles.stretches.empty());
+    const double alpha = model->shaftAngleDeg();
+    for (const char* name : {"go_best_range", "go_best_rms"}) {
+        press(name);
+        EXPECT_EQ(model->shaftAngleDeg(), alpha) << name;
+        EXPECT_EQ(find<QPushButton>(name)->toolTip(), messageText(angles.reason));
+    }
+    EXPECT_EQ(std::ranges::count_if(page.sceneActions(), &QAction::isEnabled), 1) << "of play";
+    type("clearance_mm", QStringLiteral("2"));
+    EXPECT_TRUE(find<QPushButton>("go_best_range")->isEnabled());
+    EXPECT_EQ(std::ranges::count_if(page.sceneActions(), &QAction::isEnabled), 3);
 }
 
 TEST_F(BalanceShaftPageTest, WhatCannotBeBuiltIsShaded) {

@@ -484,9 +484,12 @@ TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
     EXPECT_FALSE(sizes->isFaded());
     change([](balance_shaft::Input& input) { input.place_limits.centre_distance_max = 30 * mm; });
     wait();
+    const QString none = QStringLiteral("No place within the limits");
     EXPECT_FALSE(best->isEnabled());
-    EXPECT_TRUE(best->toolTip().contains(QStringLiteral("No place within the limits")))
-        << best->toolTip().toStdString();
+    EXPECT_TRUE(best->toolTip().contains(none)) << best->toolTip().toStdString();
+    EXPECT_TRUE(words().startsWith(none)) << words().toStdString();
+    EXPECT_TRUE(says("does not fit"));
+    EXPECT_FALSE(says("Best place")) << "of limits that exclude every place";
     EXPECT_TRUE(sizes->isFaded());  // it says so in its middle
     EXPECT_FALSE(model->result().is_buildable);
     EXPECT_TRUE(model->result().buildable.stretches.empty());

@@ -18,6 +18,7 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "model/background_job.h"
 #include "page_fixture.h"
+#include "text/message_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -175,6 +176,17 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     QTRY_VERIFY_WITH_TIMEOUT(map->plotArea().contains(map->toPixel(200.0, speed)), 5000);
     QTest::mouseClick(map, Qt::LeftButton, {}, map->toPixel(200.0, speed).toPoint());
     EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
+    // Where no α is feasible, none is offered.
+    press("go_best_compromise");
+    const double offered = model->shaftAngleDeg();
+    EXPECT_NEAR(offered, model->speedStudy()->bestCompromiseDeg(), 1e-9);
+    type("clearance_mm", QStringLiteral("50"));
+    waitForStudy();
+    EXPECT_TRUE(answer().contains(QStringLiteral("No position is feasible")));
+    press("go_best_compromise");
+    EXPECT_EQ(model->shaftAngleDeg(), offered);
+    EXPECT_EQ(find<QPushButton>("go_best_compromise")->toolTip(),
+              messageText(model->speedStudy()->buildable().reason));
 }
 
 TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {

@@ -55,21 +55,22 @@ QString best(const ShaftMapModel& map) {
     if (best == nullptr || !places->best.reason.empty()) {
         return messageText(places->best.reason);
     }
-    const auto value = [&](const Criteria& criteria) { return valueText(map, criteria); };
+    const auto doesNotFit = [&](const Marker& marker) {
+        return QLatin1Char(' ') +
+               ShaftMapModel::tr("%1 at %2 does not fit.")
+                   .arg(valueText(map, marker.criteria), whereText(marker.position));
+    };
+    if (!best->isBuildable) {
+        return messageText(places->buildable.reason) + doesNotFit(*best);
+    }
     QString text =
         ShaftMapModel::tr(
             "Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.")
             .arg(map.byRange() ? ShaftMapModel::tr("range") : ShaftMapModel::tr("RMS"),
-                 value(best->criteria), whereText(best->position),
+                 valueText(map, best->criteria), whereText(best->position),
                  shownNumber(best->criteria.size, units::cm2, 0));
     if (balance_shaft::sign_as_shown(map.change(best->criteria).value_or(0.0)) > 0) {
         text += QLatin1Char(' ') + ShaftMapModel::tr("Worse than without a shaft.");
-    }
-    if (!best->isBuildable) {
-        text += QLatin1Char(' ') + (places->buildable.reason.empty()
-                                        ? reason(map, best->position)
-                                        : messageText(places->buildable.reason));
-        return text;
     }
     const PositionStudy& study = places->study;
     const auto tradeOff = [&](const Criteria& from) {
@@ -83,8 +84,7 @@ QString best(const ShaftMapModel& map) {
                  : ShaftMapModel::tr("From here: %1.").arg(tradeOff(study.at(map.present()))));
     for (const Marker& other : map.markers()) {
         if (other.criterion == map.criterion() && !other.isBuildable) {
-            text += QLatin1Char(' ') + ShaftMapModel::tr("%1 at %2 does not fit.")
-                                           .arg(value(other.criteria), whereText(other.position));
+            text += doesNotFit(other);
         }
     }
     return text;
