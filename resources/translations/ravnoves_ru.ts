@@ -15508,12 +15508,12 @@ but no position is feasible</source>
         <translation>вычисляется…</translation>
     </message>
     <message>
-        <source>Drag the shaft, or double-click its new place. Arrow keys: 0.1 mm, with Shift 1 mm.</source>
-        <translation>Перетащите ось вала или дважды щёлкните по новому месту. Стрелки: 0,1 мм, с Shift 1 мм.</translation>
+        <source>Drag the shaft, or double-click its new place. The sliders of l and α move it by keys.</source>
+        <translation>Перетащите ось вала или дважды щёлкните по новому месту. С клавиатуры её сдвигают ползунки l и α.</translation>
     </message>
     <message>
-        <source>Front view to scale; thick line: no change; hatched: does not fit. Drag the shaft (0.5 mm, 0.5°) or use arrow keys (0.1 mm, Shift 1 mm); double-click or select a marker (Page Up, Page Down) and press Enter to move.</source>
-        <translation>Вид спереди в масштабе; толстая линия: без изменений; штриховка: не помещается. Перетащите вал (0,5 мм, 0,5°) или сдвиньте стрелками (0,1 мм, с Shift 1 мм); двойной щелчок или отметка (Page Up, Page Down) и Enter переносят его.</translation>
+        <source>Front view to scale; thick line: no change; hatched: does not fit. Drag the shaft, or double-click its new place (0.5 mm, 0.5°).</source>
+        <translation>Вид спереди в масштабе; толстая линия: без изменений; штриховка: не помещается. Перетащите вал или дважды щёлкните по новому месту (0,5 мм, 0,5°).</translation>
     </message>
 </context>
 <context>

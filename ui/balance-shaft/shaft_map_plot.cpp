@@ -23,17 +23,13 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
     : PartPlot(model, "places", parent), model_(model), map_(model->shaftMap()) {
     setObjectName(QStringLiteral("shaft_map"));
     setToolTip(
-        tr("Front view to scale; thick line: no change; hatched: does not fit. Drag the shaft (0.5 "
-           "mm, 0.5°) or use arrow "
-           "keys (0.1 mm, Shift 1 mm); double-click or select a marker (Page Up, Page Down) and "
-           "press Enter to move."));
+        tr("Front view to scale; thick line: no change; hatched: does not fit. Drag the shaft, or "
+           "double-click its new place (0.5 mm, 0.5°)."));
     setStatusTip(
-        tr("Drag the shaft, or double-click its new place. Arrow keys: 0.1 mm, with Shift 1 mm."));
+        tr("Drag the shaft, or double-click its new place. The sliders of l and α move it "
+           "by keys."));
     setPaintsGhosts();
-    connect(map_, &ShaftMapModel::mapChanged, this, [this] {
-        chosen_.reset();
-        showImage();
-    });
+    connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showImage);
     connect(map_, &ShaftMapModel::staleChanged, this, [this] {
         overCurvesChanged();
         setFaded(map_->isStale());
@@ -119,12 +115,6 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     drawShaft(painter, *model_, *map_, referenceMap(), *this);
     if (dragging_) {
         paintChange(painter);
-    }
-    if (chosen_ && *chosen_ < map_->markers().size()) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(Theme::instance().accent(), 2.0));
-        painter.drawEllipse(pixelOf(map_->markers()[*chosen_].position), 12.0 * strokeScale(),
-                            12.0 * strokeScale());
     }
     painter.restore();
 }
@@ -251,62 +241,11 @@ void ShaftMapPlot::endDrag() {
 }
 
 void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
-    const double step =
-        (event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : 0.1) * units::mm.to_si;
-    const auto move = [&](double x, double y) {
-        const auto present = map_->present();
-        map_->moveTo({present.x + x * step, present.y + y * step}, ShaftMapModel::Keyed);
+    if (event->key() == Qt::Key_Escape && dragging_) {
+        model_->takeBack();
+        endDrag();
         Q_EMIT hovered(shaft_map_text::place(*map_, map_->present()));
-    };
-    const auto choose = [&](std::size_t by) {
-        const std::size_t count = map_->markers().size();
-        if (count > 0) {
-            chosen_ = chosen_ ? (*chosen_ + by) % count : (by == 1 ? 0 : count - 1);
-            Q_EMIT hovered(shaft_map_text::place(*map_, map_->markers()[*chosen_].position));
-            update();
-        }
-    };
-    switch (event->key()) {
-        case Qt::Key_Left:
-            move(-1.0, 0.0);
-            return;
-        case Qt::Key_Right:
-            move(1.0, 0.0);
-            return;
-        case Qt::Key_Up:
-            move(0.0, 1.0);
-            return;
-        case Qt::Key_Down:
-            move(0.0, -1.0);
-            return;
-        case Qt::Key_PageDown:
-            choose(1);
-            return;
-        case Qt::Key_PageUp:
-            choose(std::max<std::size_t>(map_->markers().size(), 1) - 1);
-            return;
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-            if (chosen_ && *chosen_ < map_->markers().size()) {
-                map_->goTo(map_->markers()[*chosen_].position);
-            }
-            return;
-        case Qt::Key_Escape:
-            if (dragging_) {
-                model_->takeBack();
-                endDrag();
-                Q_EMIT hovered(shaft_map_text::place(*map_, map_->present()));
-                return;
-            }
-            if (chosen_) {
-                chosen_.reset();
-                Q_EMIT hovered({});
-                update();
-                return;
-            }
-            break;
-        default:
-            break;
+        return;
     }
     PlotView::keyPressEvent(event);
 }
@@ -331,7 +270,6 @@ void ShaftMapPlot::stopReading() {
 
 void ShaftMapPlot::focusOutEvent(QFocusEvent* event) {
     endDrag();
-    model_->finishDrag();
     PlotView::focusOutEvent(event);
 }
 

@@ -10,9 +10,8 @@ namespace ravnoves {
 /// filled contours with their key, infeasible places hatched, the best places, and the shaft's axis
 /// as a handle.
 ///
-/// Mouse: the handle is dragged, Escape brings it back; a double click moves the shaft to the place
-/// or the marker under it; all else as in any plot. Keys: arrows move the shaft by 0.1 mm, with
-/// Shift by 1 mm; Page up and down choose a marker, Enter moves the shaft there.
+/// The handle is dragged, Escape brings it back; a double click moves the shaft to the place or the
+/// marker under it; all else as in any plot.
 class ShaftMapPlot : public PartPlot {
     Q_OBJECT
 
@@ -66,7 +65,6 @@ class ShaftMapPlot : public PartPlot {
     bool dragging_ = false;
     bool gripped_ = false;  ///< the button pressed on the handle is still down
     QPointF grip_;          ///< from the pointer to the axis
-    std::optional<std::size_t> chosen_;
 };
 
 }  // namespace ravnoves

@@ -159,22 +159,6 @@ TEST_F(ShaftMapTest, EscapeBringsTheAxisBackAndLeavesNoStep) {
     EXPECT_NE(angle(), alpha);
 }
 
-TEST_F(ShaftMapTest, KeysMoveTheAxis) {
-    const Position before = map->present();
-    QTest::keyClick(plot, Qt::Key_Right);
-    QTest::keyClick(plot, Qt::Key_Right);
-    QTest::keyClick(plot, Qt::Key_Down, Qt::ShiftModifier);
-    EXPECT_NEAR(map->present().x, before.x + 0.2 * mm, 1e-3 * mm);
-    EXPECT_NEAR(map->present().y, before.y - 1.0 * mm, 1e-3 * mm);
-    EXPECT_EQ(model->history()->count(), 1);
-    QTest::keyClick(plot, Qt::Key_Left, Qt::ShiftModifier);
-    QTest::keyClick(plot, Qt::Key_Up);
-    EXPECT_NEAR(map->present().x, before.x - 0.8 * mm, 1e-3 * mm);
-    EXPECT_NEAR(map->present().y, before.y - 0.9 * mm, 1e-3 * mm);
-    model->undo();
-    EXPECT_NEAR(map->present().x, before.x, 1e-12);
-}
-
 TEST_F(ShaftMapTest, GoesToMarkersAndPlaces) {
     ASSERT_FALSE(map->markers().empty());
     const ShaftMapModel::Marker marker = map->markers().front();
@@ -187,13 +171,11 @@ TEST_F(ShaftMapTest, GoesToMarkersAndPlaces) {
     EXPECT_NEAR(map->present().x, -60 * mm, 1.0 * mm);
     EXPECT_NEAR(map->present().y, -90 * mm, 1.0 * mm);
     EXPECT_EQ(model->history()->count(), 2);
-    // The same by keys.
-    QTest::keyClick(plot, Qt::Key_PageDown);
-    QTest::keyClick(plot, Qt::Key_Return);
-    EXPECT_NEAR(map->present().y, marker.position.y, 1e-12);
-    QTest::keyClick(plot, Qt::Key_PageUp);
-    QTest::keyClick(plot, Qt::Key_Return);
-    EXPECT_NEAR(map->present().y, map->markers().back().position.y, 1e-12);
+    // By keys they are read, as the points of any plot.
+    QTest::keyClick(plot, Qt::Key_Right);
+    ASSERT_TRUE(plot->data().pointRead);
+    EXPECT_EQ(plot->data().curve(0).text(0).section(QLatin1Char('\n'), 0, 0),
+              shaft_map_text::placeLines(*map, marker.position).front());
 }
 
 TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {

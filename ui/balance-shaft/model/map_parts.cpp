@@ -38,11 +38,15 @@ Figure places(const BalanceShaftModel& model) {
     for (const ShaftMapModel::Marker& marker : model.shaftMap()->markers()) {
         const bool byRange = marker.criterion == ShaftMapModel::Criterion::range;
         const std::string id = byRange ? "range" : "RMS";
-        figure.add(id + (marker.isBuildable ? "" : "-free"),
-                   {.name = marker.name(),
-                    .role = byRange ? Role::Range : Role::Rms,
-                    .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
-                   {marker.position.x / units::mm}, {marker.position.y / units::mm});
+        Figure::Curve& curve =
+            figure.add(id + (marker.isBuildable ? "" : "-free"),
+                       {.name = marker.name(),
+                        .role = byRange ? Role::Range : Role::Rms,
+                        .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
+                       {marker.position.x / units::mm}, {marker.position.y / units::mm});
+        curve.text = [places = model.shaftMap(), at = marker.position](std::size_t) {
+            return shaft_map_text::placeLines(*places, at).join(QLatin1Char('\n'));
+        };
     }
     return figure;
 }

@@ -77,8 +77,7 @@ class ShaftMapModel : public QObject {
     bool isAtBest() const;
     /// How finely the shaft's axis is moved: parts of a millimetre and of a degree.
     enum Parts : std::uint64_t {
-        Snapped = 2,  ///< by the pointer
-        Keyed = 10'000,
+        Snapped = 2,             ///< by the pointer
         Exact = 100'000'000'000  ///< keeps short numbers
     };
     /// Moves it; moves that follow each other are one step of the history.
