@@ -16219,8 +16219,8 @@ but no position is feasible</source>
         <translation>m %1</translation>
     </message>
     <message>
-        <source>Shafts from the front at the present crank angle; red: cancelled part; dashed: axis and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space).</source>
-        <translation>Валы спереди при текущем угле кривошипа; красное: уравновешиваемая часть; штрих: ось и шейка цилиндра 1. Щелчок включает и выключает вал (стрелки, пробел).</translation>
+        <source>Shafts from the front at the present crank angle; red: cancelled part; dashed: axis and crankpin of cylinder 1.</source>
+        <translation>Валы спереди при текущем угле кривошипа; красное: уравновешиваемая часть; штрих: ось и шейка цилиндра 1.</translation>
     </message>
     <message>
         <source>No balance shafts. Press “Add shaft” under Balancing.</source>

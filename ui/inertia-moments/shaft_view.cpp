@@ -1,7 +1,5 @@
 #include "inertia-moments/shaft_view.h"
 
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -27,12 +25,11 @@ QString short4(double si, const Unit& unit) {
 }  // namespace
 
 ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
-    setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
     makeFigure(this);
     setToolTip(
         tr("Shafts from the front at the present crank angle; red: cancelled part; dashed: axis "
-           "and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space)."));
+           "and crankpin of cylinder 1."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(model_->crank(), &CrankAngle::changed, this, qOverload<>(&QWidget::update));
@@ -78,7 +75,6 @@ void ShaftView::paintEvent(QPaintEvent* /*event*/) {
                          tr("No balance shafts. Press “Add shaft” under Balancing."));
         return;
     }
-    current_ = std::clamp(current_, 0, count - 1);
     for (int i = 0; i < count; ++i) {
         paintShaft(painter, i, cell(i));
     }
@@ -94,7 +90,7 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     const double sign = design.shaft.direction == Direction::forward ? 1.0 : -1.0;
     const double turned = sign * design.shaft.order * phi;
 
-    painter.setPen(QPen(hasFocus() && index == current_ ? theme.accent() : theme.border(), 1.0));
+    painter.setPen(QPen(theme.border(), 1.0));
     QColor back = theme.good();
     back.setAlphaF(on ? 0.08F : 0.0F);
     painter.setBrush(back);
@@ -185,45 +181,6 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     painter.drawEllipse(centre, 3.0, 3.0);
     drawing::drawTurning(painter, centre, radius + 3.0, sign > 0.0 ? 0.15 : pi - 0.15, sign * 0.9,
                          on ? theme.good() : theme.mutedText());
-}
-
-void ShaftView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) {
-        return;
-    }
-    const auto& shafts = model_->result().shafts;
-    for (int i = 0; i < static_cast<int>(shafts.size()); ++i) {
-        if (cell(i).contains(event->position())) {
-            current_ = i;
-            model_->setShaftEnabled(i, !shafts[static_cast<std::size_t>(i)].shaft.enabled);
-            return;
-        }
-    }
-}
-
-void ShaftView::keyPressEvent(QKeyEvent* event) {
-    const auto& shafts = model_->result().shafts;
-    const int count = static_cast<int>(shafts.size());
-    switch (event->key()) {
-        case Qt::Key_Left:
-        case Qt::Key_Up:
-            current_ = std::max(0, current_ - 1);
-            update();
-            return;
-        case Qt::Key_Right:
-        case Qt::Key_Down:
-            current_ = std::clamp(current_ + 1, 0, std::max(0, count - 1));
-            update();
-            return;
-        case Qt::Key_Space:
-            if (current_ < count) {
-                model_->setShaftEnabled(current_,
-                                        !shafts[static_cast<std::size_t>(current_)].shaft.enabled);
-            }
-            return;
-        default:
-            QWidget::keyPressEvent(event);
-    }
 }
 
 }  // namespace ravnoves

@@ -20,7 +20,6 @@
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/cylinder_table_model.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "inertia-moments/shaft_view.h"
 #include "page_fixture.h"
 #include "text/message_text.h"
 #include "widgets/form_section.h"
@@ -359,10 +358,8 @@ TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
     EXPECT_NEAR(*plot->valueAt(0, 30.0), second.moment.at(60.0 * degree).imag(), 1e-6);
 }
 
-TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
-    bring("shafts");
-    ShaftView* view = page.findChild<ShaftView*>();
-    ASSERT_TRUE(view->isVisible());
+TEST_F(InertiaMomentsPageTest, AShaftThatIsOnShowsWhatItCancels) {
+    bring("balancing");
     const double before = model->result().remaining.order(1).moment.max();
     // The weights on the end webs alone leave the reciprocating parts; without them nothing differs
     // from what there was before, and there is no curve of what is left.
@@ -375,16 +372,15 @@ TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
     weigh(false);
     EXPECT_FALSE(ofOrder(1)->valueAt(4, 90.0).has_value());
     weigh(true);
-    QTest::mouseClick(view, Qt::LeftButton, {}, view->cell(0).center().toPoint());
+    press("shaft_enabled_0");
     EXPECT_TRUE(model->input().shafts[0].enabled);
     EXPECT_LT(model->result().remaining.order(1).moment.max(), before);
     EXPECT_NEAR(*ofOrder(1)->valueAt(4, 90.0),
                 model->result().remaining.order(1).moment.at(90.0 * degree).imag(), 1e-9);
-    QTest::keyClick(view, Qt::Key_Right);
-    QTest::keyClick(view, Qt::Key_Space);
+    press("shaft_enabled_1");
     EXPECT_TRUE(model->input().shafts[1].enabled);
     EXPECT_LT(model->result().remaining.order(1).moment.max(), 1e-9 * before);
-    QTest::mouseClick(view, Qt::LeftButton, {}, view->cell(0).center().toPoint());
+    press("shaft_enabled_0");
     EXPECT_FALSE(model->input().shafts[0].enabled);
     // The action switches all.
     page.sceneActions().at(1)->trigger();
