@@ -10,7 +10,6 @@
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/position_study.h"
-#include "model/reference_case.h"
 #include "numerics/constants.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
@@ -78,23 +77,17 @@ MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
     for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
         connect(model_, signal, this, qOverload<>(&QWidget::update));
     }
-    followReference(model_);
 }
 
 drawing::Frame MechanismView::frame() const {
     if (held_) {
         return *held_;
     }
-    QRectF box;  // of envelopes with the cylinder's head, y up
-    for (const BalanceShaftModel* each :
-         {static_cast<const BalanceShaftModel*>(model_), referenceOf(model_)}) {
-        if (each != nullptr) {
-            const Envelope& envelope = each->result().envelope;
-            const FrontView& sizes = each->solver().front_view();
-            const double top = std::max(envelope.top, sizes.cylinder_top + sizes.cylinder_wall);
-            box |= QRectF(envelope.left, envelope.bottom, envelope.width(), top - envelope.bottom);
-        }
-    }
+    const Envelope& envelope = model_->result().envelope;
+    const FrontView& sizes = model_->solver().front_view();
+    const double top = std::max(envelope.top, sizes.cylinder_top + sizes.cylinder_wall);
+    // With the cylinder's head, y up.
+    const QRectF box(envelope.left, envelope.bottom, envelope.width(), top - envelope.bottom);
     const double margin = 14.0;
     const double row = QFontMetricsF(namesFont()).height();
     const double above = row + 10.0;  // the row of text
@@ -107,27 +100,6 @@ drawing::Frame MechanismView::frame() const {
         QPointF(width() / 2.0 - box.center().x() * frame.pixelsPerUnit,
                 (height() + above - below) / 2.0 + box.center().y() * frame.pixelsPerUnit);
     return frame;
-}
-
-void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) const {
-    const BalanceShaftModel& model = *referenceOf(model_);
-    const FrontView& sizes = model.solver().front_view();
-    const Envelope& envelope = model.result().envelope;
-    const double alpha = model.input().shaft_angle;
-    const QPointF crank = map.at(0, 0);
-    const QPointF shaft = map.at(ShaftPosition::at(sizes.centre_distance, alpha));
-    painter.setPen(ghostPen());
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(
-        QRectF(map.at(envelope.left, envelope.top), map.at(envelope.right, envelope.bottom)));
-    const double half = sizes.cylinder_bore / 2 + sizes.cylinder_wall;
-    painter.drawRect(QRectF(map.at(sizes.offset - half, sizes.cylinder_top),
-                            map.at(sizes.offset + half, sizes.cylinder_bottom)));
-    for (const auto& [axis, radius] :
-         {std::pair{crank, sizes.crank_swing_radius}, std::pair{shaft, sizes.shaft_swing_radius}}) {
-        paintDisc(painter, axis, map.length(radius));
-    }
-    painter.drawLine(crank, shaft);
 }
 
 void MechanismView::paintPicture(QPainter& painter) {
@@ -147,9 +119,6 @@ void MechanismView::paintPicture(QPainter& painter) {
     const QColor line = theme.text();
     const QColor metal = drawing::metal();
 
-    if (referenceOf(model_) != nullptr) {
-        paintGhost(painter, map);
-    }
     // Envelope and axes.
     painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);

@@ -33,8 +33,6 @@ class MechanismView : public MechanismPicture {
     /// The mapping of metres to pixels: the envelope fills the picture. It rests while the shaft is
     /// dragged.
     drawing::Frame frame() const;
-    /// The mechanism of the reference: envelope, cylinder, swing circles and place of its shaft.
-    void paintGhost(QPainter& painter, const drawing::Frame& map) const;
 
     BalanceShaftModel* model_;
     std::optional<drawing::Frame> held_;  ///< while the shaft is dragged

@@ -8,7 +8,6 @@
 
 #include "case-file/decimal.h"
 #include "elastic-hinge/model/elastic_hinge_model.h"
-#include "model/reference_case.h"
 #include "numerics/constants.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
@@ -102,7 +101,6 @@ HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent
          {&SceneModel::changed, &SceneModel::viewChanged, &SceneModel::shownChanged}) {
         connect(model_, signal, this, qOverload<>(&QWidget::update));
     }
-    followReference(model_);
 }
 
 double HingeMechanismView::slowness() const {
@@ -129,31 +127,21 @@ void HingeMechanismView::turnTo(double degrees) {
 }
 
 drawing::Frame HingeMechanismView::frame() const {
-    double left = 0.0;
-    double right = 0.0;
-    double tall = 0.0;
-    for (const ElasticHingeModel* each :
-         {static_cast<const ElasticHingeModel*>(model_), referenceOf(model_)}) {
-        if (each == nullptr) {
-            continue;
-        }
-        const auto& mechanism = each->result().design->mechanism();
-        const Guide& guide = each->result().crank_guide;
-        const double r = mechanism.crank_radius;
-        const double rod = mechanism.rod_length();
-        double ring = r;
-        if (guide.shape) {
-            // Room for the relief as it is drawn.
-            const double start = guide.shape->spring().start_radius(guide.branch);
-            const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
-            ring = std::max(r, start + rise + each->input().roller_radius);
-        }
-        const double block = 0.5 * r;
-        left = std::max({left, ring, r + mechanism.counterweight_distance});
-        right = std::max({right, ring, r + rod + block});
-        tall = std::max(
-            {tall, ring, r + mechanism.counterweight_distance * mechanism.lambda + 0.2 * r, block});
+    const auto& mechanism = model_->result().design->mechanism();
+    const Guide& guide = model_->result().crank_guide;
+    const double r = mechanism.crank_radius;
+    double ring = r;
+    if (guide.shape) {
+        // Room for the relief as it is drawn.
+        const double start = guide.shape->spring().start_radius(guide.branch);
+        const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
+        ring = std::max(r, start + rise + model_->input().roller_radius);
     }
+    const double block = 0.5 * r;
+    const double weight = mechanism.counterweight_distance;
+    const double left = std::max(ring, r + weight);
+    const double right = std::max(ring, r + mechanism.rod_length() + block);
+    const double tall = std::max({ring, r + weight * mechanism.lambda + 0.2 * r, block});
     const double margin = 12.0;
     const double header = 16.0;
     drawing::Frame frame;
@@ -167,26 +155,6 @@ drawing::Frame HingeMechanismView::frame() const {
 
 double HingeMechanismView::reliefFactor() const {
     return model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
-}
-
-void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map,
-                                    double phi) const {
-    const auto& result = referenceOf(model_)->result();
-    const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
-    const double r = result.design->mechanism().crank_radius;
-    painter.setPen(ghostPen());
-    painter.setBrush(Qt::NoBrush);
-    for (const QPolygonF& stretch : track(*referenceOf(model_), map, phi, reliefFactor(), false)) {
-        painter.drawPolyline(stretch);
-    }
-    painter.drawPolyline(QPolygonF{map.at(0, 0), map.at(pose.crankpin), map.at(pose.slider)});
-    painter.drawRect(QRectF(map.at(pose.slider.x - 0.36 * r, 0.26 * r),
-                            map.at(pose.slider.x + 0.36 * r, -0.26 * r)));
-    paintDisc(painter, map.at(0, 0), map.length(r));
-    if (result.has_counterweight) {
-        painter.drawLine(map.at(pose.crankpin), map.at(pose.counterweight));
-        paintDisc(painter, map.at(pose.counterweight), map.length(0.2 * r));
-    }
 }
 
 void HingeMechanismView::paintPicture(QPainter& painter) {
@@ -208,9 +176,6 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
     const QPointF pin = map.at(pose.crankpin);
     const QPointF slider = map.at(pose.slider);
 
-    if (referenceOf(model_) != nullptr) {
-        paintGhost(painter, map, phi);
-    }
     // Slider line with its ways.
     const double half = 0.26 * r;
     const double farthest = r + mechanism.rod_length() + 0.5 * r;

@@ -36,8 +36,6 @@ class HingeMechanismView : public MechanismPicture {
     double reliefFactor() const;
     /// Seconds of the motion to one second on the screen.
     double slowness() const;
-    /// Guide, crank, rod, slider and counterweight of the reference.
-    void paintGhost(QPainter& painter, const drawing::Frame& map, double phi) const;
 
     ElasticHingeModel* model_;
 };

@@ -12,7 +12,6 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
-#include "model/reference_case.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "text/number_text.h"
@@ -62,9 +61,8 @@ const inertia_moments::Counterweight* sideWeight(const InertiaMomentsModel& mode
     return std::abs(weight.unbalance) > 0.0 ? &weight : nullptr;
 }
 
-/// What the front view must hold, m, y up, with the reference: it does not depend on φ, so the
-/// picture rests.
-QRectF frontBounds(const InertiaMomentsModel& model, const InertiaMomentsModel* ghost) {
+/// What the front view must hold, m, y up: it does not depend on φ, so the picture rests.
+QRectF frontBounds(const InertiaMomentsModel& model) {
     const Engine& engine = model.result().engine;
     const double radius = engine.crank_radius;
     const double around = 1.25 * radius;
@@ -77,8 +75,7 @@ QRectF frontBounds(const InertiaMomentsModel& model, const InertiaMomentsModel* 
             corners << QPointF(corner.real(), corner.imag());
         }
     }
-    const QRectF bounds = corners.boundingRect();
-    return ghost != nullptr ? bounds.united(frontBounds(*ghost, nullptr)) : bounds;
+    return corners.boundingRect();
 }
 
 /// Where the crank begins and ends along its axis, with what is on it, m.
@@ -124,25 +121,10 @@ EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
                        parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    followReference(model_);
-}
-
-void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) const {
-    const Engine& engine = referenceOf(model_)->result().engine;
-    const double radius = engine.crank_radius;
-    painter.setPen(ghostPen());
-    painter.setBrush(Qt::NoBrush);
-    paintDisc(painter, frame.at(0.0, 0.0), frame.length(radius));
-    for (const CylinderPose& pose :
-         inertia_moments::engine_pose(engine, model_->crank()->degrees() * degree)) {
-        painter.drawPolygon(pistonOf(pose, radius, frame));
-        painter.drawPolyline(QPolygonF{frame.at(pose.piston_pin), frame.at(pose.rod_foot),
-                                       frame.at(pose.crankpin), frame.at(0.0, 0.0)});
-    }
 }
 
 std::pair<QRectF, QRectF> EngineView::areas() const {
-    const QRectF bounds = frontBounds(*model_, referenceOf(model_));
+    const QRectF bounds = frontBounds(*model_);
     const QRectF whole = QRectF(rect()).adjusted(10, 24, -10, -8);
     const auto scale = [&](const QRectF& area) {
         return std::min(area.width() / bounds.width(), area.height() / bounds.height());
@@ -227,7 +209,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     const std::vector<CylinderPose> poses = inertia_moments::engine_pose(engine, phi);
     const std::vector<int> banks = banksOf(engine.cylinders);
 
-    const QRectF bounds = frontBounds(*model_, referenceOf(model_));
+    const QRectF bounds = frontBounds(*model_);
     const double half = pistonHalf * radius;
     const double crown = crownHeight * radius;
     drawing::Frame frame;
@@ -236,9 +218,6 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         area.center() - QPointF(bounds.center().x(), -bounds.center().y()) * frame.pixelsPerUnit;
     crankPixel_ = frame.at({0.0, 0.0});
 
-    if (referenceOf(model_) != nullptr) {
-        paintGhost(painter, frame);
-    }
     // Axes of the banks, past the crank's centre by their offsets.
     painter.setPen(QPen(theme.border(), 1.0));
     paintLine(painter, QPointF(area.left(), crankPixel_.y()),
@@ -332,29 +311,6 @@ double EngineView::Side::height(double angle) const {
     return std::cos(direction + angle);
 }
 
-void EngineView::paintSideGhost(QPainter& painter, const Side& at) const {
-    const InertiaMomentsModel& model = *referenceOf(model_);
-    const Engine& engine = model.result().engine;
-    const double radius = engine.crank_radius;
-    const double half = pinShare * radius;
-    painter.setPen(ghostPen());
-    painter.setBrush(Qt::NoBrush);
-    for (const Cylinder& cylinder : engine.cylinders) {
-        const double z = cylinder.axial_position;
-        const double y = radius * at.height(cylinder.crankpin_angle);
-        painter.drawPolyline(
-            QPolygonF{at(z - half, 0), at(z - half, y), at(z + half, y), at(z + half, 0)});
-    }
-    for (const std::size_t end : {0U, 1U}) {
-        if (const auto* weight = sideWeight(model, end)) {
-            const double y = weight->radius * at.height(std::arg(weight->unbalance));
-            painter.drawLine(at(weight->position, 0), at(weight->position, y));
-            painter.drawRect(weightBlock(at(weight->position, y), radius * at.pixels));
-        }
-    }
-    painter.drawEllipse(at(model.input().reference_position, 0), 5.0, 5.0);
-}
-
 void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     const Theme& theme = Theme::instance();
     const Engine& engine = model_->result().engine;
@@ -363,26 +319,16 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     const double phi = model_->crank()->degrees() * degree;
     const std::vector<int> banks = banksOf(engine.cylinders);
 
-    auto [low, high] = sideBounds(*model_);
-    double tall = radius;
-    if (referenceOf(model_) != nullptr) {
-        const auto [first, last] = sideBounds(*referenceOf(model_));
-        low = std::min(low, first);
-        high = std::max(high, last);
-        tall = std::max(tall, referenceOf(model_)->result().engine.crank_radius);
-    }
+    const auto [low, high] = sideBounds(*model_);
     painter.setFont(Theme::font(Theme::smallSize));
     const double row = painter.fontMetrics().height();  // the numbers are below
     const double scale =
-        std::min(area.width() / (high - low), (area.height() - row) / (2.3 * tall));
+        std::min(area.width() / (high - low), (area.height() - row) / (2.3 * radius));
     const double axisY = area.center().y() - 0.5 * row;
     const Side at{{area.center().x(), axisY},
                   0.5 * (low + high),
                   scale,
                   phi + engine.cylinders.front().bank_angle};
-    if (referenceOf(model_) != nullptr) {
-        paintSideGhost(painter, at);
-    }
     painter.setPen(QPen(theme.border(), 1.0));
     paintLine(painter, at(high, 0), at(low, 0));
     const std::array colours{drawing::weightFill(Role::CrankWeight),
@@ -422,9 +368,9 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
             names << label->second;
             ++label;
         }
-        drawing::drawCentred(painter,
-                             QPointF(0.5 * (first + last), axisY + 1.12 * tall * scale + 0.5 * row),
-                             names.join(QLatin1Char(',')));
+        drawing::drawCentred(
+            painter, QPointF(0.5 * (first + last), axisY + 1.12 * radius * scale + 0.5 * row),
+            names.join(QLatin1Char(',')));
     }
     // The point that moments refer to.
     const QPointF reference = at(input.reference_position, 0);

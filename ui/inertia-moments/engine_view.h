@@ -47,12 +47,8 @@ class EngineView : public MechanismPicture {
         double height(double angle) const;
     };
 
-    /// Axes of the cylinders, pistons, rods and throws of the reference.
-    void paintGhost(QPainter& painter, const drawing::Frame& frame) const;
     void paintFront(QPainter& painter, const QRectF& area);
     void paintSide(QPainter& painter, const QRectF& area);
-    /// Throws, counterweights and reference point of the reference.
-    void paintSideGhost(QPainter& painter, const Side& at) const;
 
     InertiaMomentsModel* model_;
     double dragOffset_ = 0.0;  ///< crank angle less pointer's angle at the press, °

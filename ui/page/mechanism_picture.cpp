@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pictures/figure.h"
 #include "pictures/picture_file.h"
 #include "plot/plot_view.h"
 #include "theme/icons.h"
@@ -33,7 +34,8 @@ void showCrankAngle(PlotView* plot, CrankAngle* crank) {
 
 MechanismPicture::MechanismPicture(CrankAngle* crank, const QString& name, const QString& hint,
                                    QWidget* parent)
-    : ComparedFigure(parent), crank_(crank) {
+    : QWidget(parent), crank_(crank) {
+    makeFigure(this);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(name);
     setToolTip(hint);
@@ -60,12 +62,6 @@ void MechanismPicture::setPlaying(bool playing) {
     Q_EMIT playingChanged(playing);
 }
 
-QPen MechanismPicture::ghostPen() {
-    QColor colour = Theme::instance().mutedText();
-    colour.setAlphaF(0.35F);
-    return {colour, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
-}
-
 void MechanismPicture::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
         case Qt::Key_Space:
@@ -84,17 +80,11 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
 
 void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    const bool isForFile = drawsForFile(painter, *this);
-    if (isForFile) {
+    if (drawsForFile(painter, *this)) {
         painter.fillRect(rect(), Theme::instance().panel());
     }
     painter.setRenderHint(QPainter::Antialiasing);
     paintPicture(painter);
-    if (hasFocus() && !isForFile) {
-        painter.setPen(QPen(Theme::instance().accent(), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
 }
 
 PicturePanel::PicturePanel(MechanismPicture* picture, const QString& hint, QWidget* parent)

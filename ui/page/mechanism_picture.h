@@ -4,13 +4,11 @@
 #include <QTimer>
 
 #include "model/crank_angle.h"
-#include "page/compared_figure.h"
 #include "widgets/panel.h"
 
 class QAction;
 class QHBoxLayout;
 class QPainter;
-class QPen;
 
 namespace ravnoves {
 
@@ -21,8 +19,8 @@ class ValueSlider;
 void showCrankAngle(PlotView* plot, CrankAngle* crank);
 
 /// A picture of a mechanism that turns. Space plays and pauses, the left and right arrows step by
-/// a degree. Below its own it shows the mechanism of the reference, at the same crank angle.
-class MechanismPicture : public ComparedFigure {
+/// a degree.
+class MechanismPicture : public QWidget {
     Q_OBJECT
 
   public:
@@ -48,8 +46,6 @@ class MechanismPicture : public ComparedFigure {
     virtual void play(double seconds);
     /// An arrow key: −1 or +1, degrees.
     virtual void step(double degrees) { turnTo(crank_->degrees() + degrees); }
-    /// For the mechanism of the reference: dimmed and wide, as its curves in the plots.
-    static QPen ghostPen();
 
   private:
     CrankAngle* crank_;
