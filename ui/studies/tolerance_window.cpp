@@ -60,25 +60,10 @@ void fitTyped(QTableView* view, const std::vector<int>& columns) {
 
 /// Rows are as high as their wrapped names take, also after the column has another width.
 void growRowsWithWords(QTableView& view) {
-    view.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    const auto fit = [&view] {
-        const QAbstractItemModel& model = *view.model();
-        for (int row = 0; row < model.rowCount(); ++row) {
-            const QRect room(0, 0, view.columnWidth(0) - 2 * Theme::gap, 1000);
-            const QRect words = view.fontMetrics().boundingRect(
-                room, Qt::TextWordWrap, model.index(row, 0).data().toString());
-            view.setRowHeight(row, std::max(view.verticalHeader()->defaultSectionSize(),
-                                            words.height() + Theme::gap));
-        }
-    };
-    QObject::connect(view.horizontalHeader(), &QHeaderView::sectionResized, &view, fit,
-                     Qt::QueuedConnection);
-    QObject::connect(view.model(), &QAbstractItemModel::modelReset, &view, fit,
-                     Qt::QueuedConnection);
-    QObject::connect(view.model(), &QAbstractItemModel::rowsInserted, &view, fit,
-                     Qt::QueuedConnection);
-    QObject::connect(view.model(), &QAbstractItemModel::dataChanged, &view, fit,
-                     Qt::QueuedConnection);
+    view.verticalHeader()->setMinimumSectionSize(view.verticalHeader()->defaultSectionSize());
+    view.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    QObject::connect(view.horizontalHeader(), &QHeaderView::sectionResized, &view,
+                     &QTableView::resizeRowsToContents, Qt::QueuedConnection);
 }
 
 }  // namespace

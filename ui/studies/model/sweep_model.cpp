@@ -11,7 +11,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/key_units.h"
-#include "model/background_job.h"
 #include "model/scene_model.h"
 #include "scenes/scenes.h"
 #include "studies/model/scattered_inputs.h"
@@ -148,9 +147,7 @@ Sweep computed(Sweep sweep, const studies::Problem& problem,
 
 SweepModel::SweepModel(StudyModel* study, QObject* parent)
     : QObject(parent), study_(study), job_(new BackgroundJob(this)) {
-    later_.setSingleShot(true);
-    later_.setInterval(sweepRestMs);
-    connect(&later_, &QTimer::timeout, this, &SweepModel::start);
+    job_->setPatience(0, sweepRestMs, true);
     connect(study_, &StudyModel::changed, this, &SweepModel::follow);
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
         trouble_ = study_->named(why);
@@ -199,14 +196,9 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
                 std::clamp(turns ? 360.0 : nominal + reach, range.min, range.max)};
 }
 
-bool SweepModel::isBusy() const {
-    return later_.isActive() || job_->isRunning();
-}
-
 void SweepModel::setWatched(bool watched) {
     watched_ = watched;
     if (!watched) {
-        later_.stop();
         job_->cancel();
     } else if (stale_ || !sweep_) {
         start();
@@ -260,15 +252,12 @@ void SweepModel::follow() {
         const auto& vary = wanted_.study.vary;
         const bool isEmpty = !vary.empty() && !(vary.front().from < vary.front().to);
         trouble_ = isEmpty ? tr("“From” must be less than “to”.") : QString();
-        if (watched_) {
-            later_.start();
-        }
+        start();
     }
     Q_EMIT changed();
 }
 
 void SweepModel::start() {
-    later_.stop();
     if (!watched_ || wanted_.study.vary.empty() || !trouble_.isEmpty()) {
         return;
     }

@@ -2,18 +2,16 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "model/background_job.h"
 #include "model/scene_model.h"
 #include "studies/model/study_model.h"
 
 namespace ravnoves {
-
-class BackgroundJob;
 
 /// A result over one input while the other inputs scatter, in the units of their keys.
 struct Sweep {
@@ -51,6 +49,7 @@ class SweepModel : public QObject {
     explicit SweepModel(StudyModel* study, QObject* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
+    bool isBusy() const { return job_->isRunning(); }
     // Pointers.
     const std::string& input() const { return choice_.input; }
     const std::string& result() const { return choice_.result; }
@@ -64,8 +63,6 @@ class SweepModel : public QObject {
     /// The limits of the input's tolerance; without one, a whole turn of an angle, or a tenth of
     /// the value either way: within the range of its field. Nothing where no input is chosen.
     std::optional<Ends> usualEnds() const;
-    /// A newer sweep is on the way.
-    bool isBusy() const;
     /// Computes while someone looks.
     void setWatched(bool watched);
 
@@ -93,7 +90,6 @@ class SweepModel : public QObject {
 
     StudyModel* study_;
     BackgroundJob* job_;
-    QTimer later_;
     SweepChoice choice_;
     Wanted wanted_;
     std::optional<Sweep> sweep_;
