@@ -16944,10 +16944,6 @@ but no position is feasible</source>
         <translation>Измеренное давление за один или несколько циклов; углы — от мёртвой точки перед впуском (двухтактный: от сгорания).</translation>
     </message>
     <message>
-        <source>Shift the trace by &amp;360°</source>
-        <translation>Сдвинуть диаграмму на &amp;360°</translation>
-    </message>
-    <message>
         <source>No pressure trace yet; the computed cycle is used.</source>
         <translation>Диаграммы ещё нет; используется расчётный цикл.</translation>
     </message>

@@ -177,19 +177,6 @@ QWidget* TorqueSourceEditor::buildPressure() {
     trace_->setObjectName(QStringLiteral("trace_file"));
     file->addWide(trace_);
     form->number("/torque/pressure/crank_angle_shift_deg");
-    QLabel* doubts = captionLabel({}, form);  // the results are on another tab of a small page
-    doubts->setObjectName(QStringLiteral("trace_doubts"));
-    colourText(doubts, &Theme::warning);
-    file->addWide(doubts);
-    auto* move = new QPushButton(tr("Shift the trace by &360°"), form);
-    move->setObjectName(QStringLiteral("move_trace_here"));
-    connect(move, &QPushButton::clicked, model_, &BalanceShaftModel::moveTraceByTurn);
-    file->addWide(move);
-    form->follow([this, doubts, move] {
-        const bool isOfTrace = model_->input().torque.kind == Kind::pressure;
-        showOrHide(doubts, isOfTrace ? model_->doubtsText() : QString());
-        move->setVisible(model_->result().trace_is_a_turn_off);
-    });
     form->section(tr("Cylinder"));
     form->number("/torque/pressure/crankcase_pressure_bar");
     form->column()->addStretch();

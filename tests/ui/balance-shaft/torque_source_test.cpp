@@ -79,7 +79,7 @@ TEST_F(TorqueSourceTest, ATraceOfOneTurnMakesATwoStrokeAndAnOddOneANote) {
     import(100.0);
     EXPECT_EQ(model->input().strokes, 2);
     EXPECT_EQ(model->result().curves.crank_angle_deg.back(), 360.0);
-    EXPECT_TRUE(model->doubtsText().contains(QStringLiteral("Check the phase")));
+    EXPECT_TRUE(find<QLabel>("verdict")->text().contains(QStringLiteral("Check the phase")));
 }
 
 TEST_F(TorqueSourceTest, ReadsAPressureTrace) {

@@ -457,8 +457,4 @@ QString BalanceShaftModel::notesText() const {
     return messageLines(notes);
 }
 
-QString BalanceShaftModel::doubtsText() const {
-    return messageLines(result().doubts);
-}
-
 }  // namespace ravnoves

@@ -149,8 +149,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString bestText(Criterion criterion) const;
     /// Notes on the result; empty without any.
     QString notesText() const;
-    /// What looks like a slip in the input.
-    QString doubtsText() const;
     Verdict verdict() const { return balance_shaft::verdict(result()); }
     std::optional<Verdict> verdictShown() const override { return verdict(); }
     std::vector<const char*> designInputs() const override {
