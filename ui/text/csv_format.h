@@ -28,11 +28,14 @@ struct CsvFormat {
     /// A number of the screen as spreadsheets know it: −3.2·10⁻⁷ as -3.2e-7.
     static QString plainNumber(QString text) {
         static const QRegularExpression power(
-            QStringLiteral("^(\u2212?)(?:([0-9.,]+)\u00B7)?10([⁻⁰¹²³⁴-⁹]+)$"));
+            QStringLiteral("^((?:< )?\u2212?)(?:([0-9.,]+)\u00B7)?10([⁻⁰¹²³⁴-⁹]+)"));
         if (const auto found = power.match(text); found.hasMatch()) {
             const QString factor = found.captured(2);
-            text = found.captured(1) + (factor.isEmpty() ? QStringLiteral("1") : factor) +
-                   QLatin1Char('e') + found.captured(3).normalized(QString::NormalizationForm_KC);
+            QString exponent = found.captured(3).normalized(QString::NormalizationForm_KC);
+            exponent.replace(QChar(0x2212), QLatin1Char('-'));
+            text.replace(0, found.capturedLength(),
+                         found.captured(1) + (factor.isEmpty() ? QStringLiteral("1") : factor) +
+                             QLatin1Char('e') + exponent);
         }
         if (text.size() > 1 && text.front() == QChar(0x2212) && text[1].isDigit()) {
             text[0] = QLatin1Char('-');

@@ -234,6 +234,12 @@ TEST(CopiedResultTable, IsTheWholeUnlessCellsAreSelected) {
     EXPECT_EQ(copied(), whole);
     table.setRangeSelected({0, 1, 1, 1}, true);
     EXPECT_EQ(copied(), u"-1.5\n2\n"_s);
+    // Of what is shown; powers of ten as spreadsheets read them.
+    table.setRows(
+        {{u"10 runs"_s, u"−3.2·10⁻⁷"_s, u"10⁶"_s}, {u"10⁻⁶°"_s, u"< 10⁻¹² N"_s, u"N·m"_s}});
+    table.setColumnHidden(2, true);
+    EXPECT_EQ(table.asText(), u"Quantity\tValue\n10 runs\t-3.2e-7\n1e-6°\t< 1e-12 N\n"_s);
+    EXPECT_EQ(table.asCsv(), u"Quantity,Value\n10 runs,-3.2e-7\n1e-6°,< 1e-12 N\n"_s);
 }
 
 TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
