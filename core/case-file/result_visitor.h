@@ -40,7 +40,7 @@ struct ResultField {
     int decimals;                  ///< in a table, in the unit
     Text label;                    ///< "Relief of the guide"
     Text hint;                     ///< a sentence with its formula
-    Period period = Period::turn;  ///< of what is in degrees
+    Period period = Period::turn;  ///< of a value in degrees
 };
 
 /// Numbers of a list whose elements are lists of `columns`.
