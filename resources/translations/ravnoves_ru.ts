@@ -13163,13 +13163,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::JobCard</name>
-    <message>
-        <source>The card has no logo, because the file cannot be read: %1</source>
-        <translation>Карта без логотипа: файл не читается: %1</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::JobDesk</name>
     <message>
         <source>The journal is backed up: %1</source>
@@ -16267,38 +16260,6 @@ but no position is feasible</source>
     <message>
         <source>&amp;Name of the shop</source>
         <translation>&amp;Название мастерской</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Выбрать…</translation>
-    </message>
-    <message>
-        <source>N&amp;one</source>
-        <translation>&amp;Нет</translation>
-    </message>
-    <message>
-        <source>Logo</source>
-        <translation>Логотип</translation>
-    </message>
-    <message>
-        <source>Logo of the shop</source>
-        <translation>Логотип мастерской</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
-        <translation>Изображения (*.png *.jpg *.jpeg *.svg)</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>нет</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read</source>
-        <translation>%1 не читается</translation>
-    </message>
-    <message>
-        <source>%1 is not a picture.</source>
-        <translation>%1 — не изображение.</translation>
     </message>
 </context>
 <context>

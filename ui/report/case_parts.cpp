@@ -16,11 +16,12 @@
 #include "pictures/figure.h"
 #include "report/figure_drawings.h"
 #include "report/patience.h"
+#include "report/report_words.h"
 #include "studies/tolerance_bands.h"
 
 namespace ravnoves {
 
-using namespace report;
+using namespace paper;
 
 namespace {
 
@@ -66,13 +67,13 @@ std::optional<Content> ofReference(SceneModel& model, const PagePart& part) {
 }
 
 void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, const Figure& figure,
-               const PartSpread* spread, PageGroup& group) {
+               const PartSpread* spread, PageGroup& group, Paper& report) {
     PartPlot* own = partPlot(page, part.id);
     if (own != nullptr) {
         own->make();
     }
     if (own != nullptr && own->isDrawing() && !own->dataAsCsv().isEmpty()) {
-        group.figures.push_back(drawingOf(own));
+        group.figures += report.figure(drawingOf(own));
         return;
     }
     const bool isEmpty = std::all_of(figure.curves.begin(), figure.curves.end(),
@@ -92,7 +93,7 @@ void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, c
     constexpr int high = 460;
     constexpr int low = 290;
     plot->resize(figure.equalScale ? high : width, figure.equalScale ? high : low);
-    group.figures.push_back(drawingOf(plot));
+    group.figures += report.figure(drawingOf(plot));
 }
 
 /// What the page's widget of a part shows, as screen readers say it.
@@ -112,30 +113,16 @@ void addTable(const ScenePage& page, const PagePart& part, const Results& result
     if (spread != nullptr) {
         addSpreads(rows, spread->cells);
     }
-    Table table;
+    Results shown{results.columns};
+    for (qsizetype i = 0; i < rows.size(); ++i) {
+        if (!results.rows[i].isBlank()) {
+            shown.rows << rows[i];
+        }
+    }
+    Table table = tableOf(shown);
     table.caption = nameOf(part, page);
     table.isSmall = results.columns.size() > 6;
-    for (const ResultColumn& column : results.columns) {
-        table.numbers << !table.headings.isEmpty();
-        table.headings << column.heading.toHtmlEscaped();
-    }
-    for (qsizetype i = 0; i < rows.size(); ++i) {
-        QStringList cells;
-        for (qsizetype column = 0; column < results.columns.size(); ++column) {
-            const ResultCell cell = rows[i].value(column);
-            cells << cell.marked().toHtmlEscaped().replace(u'\n', QLatin1String("<br/>"));
-            if (!cell.spread.isEmpty()) {
-                cells.last() += QStringLiteral("\u00A0<small>%1</small>")
-                                    .arg(QString(cell.spread).replace(u' ', QChar::Nbsp));
-            }
-        }
-        if (!results.rows[i].isBlank()) {
-            table.rows << cells;
-        }
-    }
-    if (!table.rows.isEmpty()) {
-        group.tables.push_back(std::move(table));
-    }
+    group.tables += paper::table(table);
 }
 
 Drawing sideBySide(const Drawing& left, const Drawing& right) {
@@ -151,7 +138,8 @@ Drawing sideBySide(const Drawing& left, const Drawing& right) {
 }
 
 /// The pictures: that of the mechanism is part of the answer, else the first two beside the tabs.
-void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& answer) {
+void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& answer,
+                 Paper& report) {
     constexpr QSize half(330, 230);  // of the paper's width
     std::vector<QWidget*> others;
     for (QWidget* picture : page.findChildren<QWidget*>()) {
@@ -161,21 +149,21 @@ void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& ans
         }
         const QString tab = tabOf(picture, page.model()->parts());
         if (!tab.isEmpty()) {
-            groupOf(page, tab, groups).figures.push_back(drawingOf(picture));
+            groupOf(page, tab, groups).figures += report.figure(drawingOf(picture));
         } else if (qobject_cast<MechanismPicture*>(picture) != nullptr) {
-            answer.figures.push_back(drawingOf(picture));
+            answer.figures += report.figure(drawingOf(picture));
         } else {
             others.push_back(picture);
         }
     }
     auto rest = others.begin();
-    if (answer.figures.empty() && others.size() > 1) {
-        answer.figures.push_back(
-            sideBySide(drawingOf(others[0], half), drawingOf(others[1], half)));
+    if (answer.figures.isEmpty() && others.size() > 1) {
+        answer.figures +=
+            report.figure(sideBySide(drawingOf(others[0], half), drawingOf(others[1], half)));
         rest += 2;
     }
     for (; rest != others.end(); ++rest) {
-        groups.front().figures.push_back(drawingOf(*rest));
+        groups.front().figures += report.figure(drawingOf(*rest));
     }
 }
 
@@ -190,21 +178,21 @@ void waitFor(const ScenePage& page, const Patience& patience, qint64 longest) {
 
 }  // namespace
 
-Paragraph::Kind kindOf(Severity severity) {
+Tone toneOf(Severity severity) {
     switch (severity) {
         case Severity::error:
-            return Paragraph::Kind::Error;
+            return Tone::Error;
         case Severity::warning:
-            return Paragraph::Kind::Warning;
+            return Tone::Warning;
         case Severity::good:
-            return Paragraph::Kind::Good;
+            return Tone::Good;
         case Severity::note:
             break;
     }
-    return Paragraph::Kind::Text;
+    return Tone::Text;
 }
 
-CaseParts caseParts(ScenePage& page, const Patience& patience) {
+CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience) {
     SceneModel& model = *page.model();
     model.needParts();
     if (SceneModel* reference = model.referenceCase().model()) {
@@ -234,17 +222,17 @@ CaseParts caseParts(ScenePage& page, const Patience& patience) {
             for (const auto& [severity, line] : notes->lines) {
                 if (!said.contains(line)) {
                     said.insert(line);
-                    words.words.push_back(Paragraph{line.toHtmlEscaped(), kindOf(severity)});
+                    words.words += paragraph(line.toHtmlEscaped(), toneOf(severity));
                 }
             }
         } else if (const auto* results = std::get_if<Results>(&content)) {
             addTable(page, part, *results, spread, words);
         } else if (const auto* figure = std::get_if<Figure>(&content)) {
-            addFigure(page, model, part, *figure, spread, group);
+            addFigure(page, model, part, *figure, spread, group, report);
         }
         patience.wait();
     }
-    addPictures(page, groups, answer);
+    addPictures(page, groups, answer, report);
     return {std::move(answer), std::move(groups)};
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "case-file/verdict.h"
-#include "report/report.h"
+#include "paper/paper.h"
 
 namespace ravnoves {
 
@@ -15,11 +15,9 @@ class ScenePage;
 struct PageGroup {
     QString tab = {};    ///< its name; empty beside them
     QString title = {};  ///< plain
-    std::vector<report::Item> words = {};
-    std::vector<report::Item> tables = {};
-    std::vector<report::Item> figures = {};
-
-    bool isEmpty() const { return words.empty() && tables.empty() && figures.empty(); }
+    QString words = {};  ///< HTML, as tables and figures
+    QString tables = {};
+    QString figures = {};
 };
 
 /// The answer for the first page, and all else by tabs.
@@ -29,11 +27,11 @@ struct CaseParts {
 };
 
 /// As what a report shows a line that means this for the answer.
-report::Paragraph::Kind kindOf(Severity severity);
+paper::Tone toneOf(Severity severity);
 
 /// The content of a page, part by part, with its pictures. The answer is beside the tabs: its words
 /// and tables, and the picture of the mechanism. The page is unchanged: plots and tables are made
-/// for the report alone.
-CaseParts caseParts(ScenePage& page, const Patience& patience);
+/// for the report alone, which keeps the pictures.
+CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience);
 
 }  // namespace ravnoves

@@ -15,8 +15,8 @@
 #include "page/scene_page.h"
 #include "report/case_parts.h"
 #include "report/input_tables.h"
-#include "report/report.h"
 #include "report/report_dialog.h"
+#include "report/report_words.h"
 #include "report/study_section.h"
 #include "scenes/scenes.h"
 #include "text/language.h"
@@ -27,7 +27,7 @@
 
 namespace ravnoves {
 
-using namespace report;
+using namespace paper;
 
 namespace {
 
@@ -78,8 +78,8 @@ std::pair<QString, QString> fingerprint(CaseDocument& document) {
         QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex())};
 }
 
-void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
-    report.head(ReportWords::tr("Case"));
+void addCase(Paper& report, const SceneModel& model, CaseDocument& document, const QString& date) {
+    report.body += heading(ReportWords::tr("Case"));
     Table table;
     const auto row = [&](const QString& name, const QString& value) {
         table.rows << QStringList{name.toHtmlEscaped(), value.toHtmlEscaped()};
@@ -90,33 +90,29 @@ void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
     }
     const auto [name, sum] = fingerprint(document);
     row(name, sum);
-    row(ReportWords::tr("Program"), report.program);
-    row(ReportWords::tr("Date"), report.date);
-    report.items.push_back(std::move(table));
+    row(ReportWords::tr("Program"), QStringLiteral("Ravnoves " RAVNOVES_VERSION));
+    row(ReportWords::tr("Date"), date);
+    report.body += paper::table(table);
     if (!model.notes().isEmpty()) {
-        report.head(ReportWords::tr("Notes"));
+        report.body += heading(ReportWords::tr("Notes"));
         for (const QString& line : model.notes().split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
             report.say(line);
         }
     }
 }
 
-void addResults(Report& report, std::vector<PageGroup> groups) {
-    report.head(ReportWords::tr("Plots and tables"));
-    for (PageGroup& group : groups) {
-        if (group.isEmpty()) {
-            continue;
+void addResults(Paper& report, const std::vector<PageGroup>& groups) {
+    report.body += heading(ReportWords::tr("Plots and tables"));
+    for (const PageGroup& group : groups) {
+        const QString content = group.words + group.tables + group.figures;
+        if (!content.isEmpty() && !group.title.isEmpty()) {
+            report.body += heading(group.title, 2);
         }
-        if (!group.title.isEmpty()) {
-            report.head(group.title, 2);
-        }
-        for (auto* part : {&group.words, &group.tables, &group.figures}) {
-            std::move(part->begin(), part->end(), std::back_inserter(report.items));
-        }
+        report.body += content;
     }
 }
 
-void addTheory(Report& report, const SceneModel& model) {
+void addTheory(Paper& report, const SceneModel& model) {
     const auto scenes = scene_solvers();
     const std::string name = model.sceneName().toStdString();
     const auto scene = std::find_if(scenes.begin(), scenes.end(),
@@ -124,7 +120,7 @@ void addTheory(Report& report, const SceneModel& model) {
     if (scene == scenes.end()) {
         return;
     }
-    report.head(ReportWords::tr("Formulas"));
+    report.body += heading(ReportWords::tr("Formulas"));
     Table table;
     table.headings = {ReportWords::tr("Quantity"), ReportWords::tr("Formula"),
                       ReportWords::tr("Source")};
@@ -151,52 +147,48 @@ void addTheory(Report& report, const SceneModel& model) {
         table.rows << QStringList{shownText(formula.name).toHtmlEscaped(), text,
                                   from.toHtmlEscaped()};
     }
-    report.items.push_back(std::move(table));
+    report.body += paper::table(table);
     for (const std::string_view key : cited) {
-        report.say(messageText(citation(source(key))), Paragraph::Kind::Muted);
+        report.say(messageText(citation(source(key))), Tone::Muted);
     }
-    report.head(ReportWords::tr("What the model leaves out"));
+    report.body += heading(ReportWords::tr("What the model leaves out"));
     for (const Text& text : scene->left_out()) {
         report.say(QStringLiteral("– ") + shownText(text));
     }
 }
 
 /// The present case and its variants, as far as they differ.
-void addVariants(Report& report, const SceneModel& model) {
+void addVariants(Paper& report, const SceneModel& model) {
     if (model.variants().isEmpty()) {
         return;
     }
-    report.head(ReportWords::tr("Variants"));
+    report.body += heading(ReportWords::tr("Variants"));
     const auto [verdicts, results, troubles] = variantResults(model);
     QStringList others;  // that of the present case is the first of all
     for (const QString& verdict : verdicts.mid(1)) {
         others << shortened(verdict).toHtmlEscaped();
     }
-    report.items.push_back(Paragraph{others.join(QStringLiteral("<br/>")), Paragraph::Kind::Muted});
+    report.body += paragraph(others.join(QStringLiteral("<br/>")), Tone::Muted);
     for (const QString& trouble : troubles) {
-        report.say(shortened(trouble), Paragraph::Kind::Warning);
+        report.say(shortened(trouble), Tone::Warning);
     }
-    Table table;
-    for (const ResultColumn& column : results.columns) {
-        table.numbers << !table.headings.isEmpty();
-        table.headings << column.heading.toHtmlEscaped();
-    }
-    for (const ResultRow& row : results.rows) {
+    Results shown{results.columns};
+    for (ResultRow row : results.rows) {
         const bool differs = std::any_of(row.begin() + 1, row.end(), [&](const ResultCell& cell) {
             return cell.text != row[1].text;
         });
-        QStringList cells;
-        for (const ResultCell& cell : row) {
+        for (ResultCell& cell : row) {
             const QString difference =
                 cell.fromOther ? QStringLiteral(" (%1)").arg(cell.fromOther->absolute) : QString();
-            cells << shortened(cell.marked() + difference).toHtmlEscaped();
+            cell.text = shortened(cell.text + difference);
         }
         if (differs) {
-            table.rows << cells;
+            shown.rows << row;
         }
     }
+    Table table = tableOf(shown);
     table.isSmall = results.columns.size() > 4;
-    report.items.push_back(std::move(table));
+    report.body += paper::table(table);
     QString how = ReportWords::tr(
         "Only differences are listed, inputs first; in brackets the difference from the reference. "
         "★ marks the best of those without a warning.");
@@ -205,37 +197,38 @@ void addVariants(Report& report, const SceneModel& model) {
             QLatin1Char(' ') + ReportWords::tr("In the plots the curves of %1 are dimmed and wide.")
                                    .arg(shortened(model.variants().at(model.reference()).name));
     }
-    report.say(how, Paragraph::Kind::Muted);
+    report.say(how, Tone::Muted);
 }
 
 /// The answer: what holds, the picture, the leading results.
-void addAnswer(Report& report, const SceneModel& model, PageGroup& answer) {
+void addAnswer(Paper& report, const SceneModel& model, const PageGroup& answer) {
     if (const std::optional<Verdict> verdict = model.verdictShown()) {
         report.say(
             severityName(verdict->severity) + QStringLiteral(": ") + messageText(verdict->text),
-            kindOf(verdict->severity));
+            toneOf(verdict->severity));
     }
     if (const QString design = designText(model); !design.isEmpty()) {
         report.say(design);
     }
-    for (auto* part : {&answer.words, &answer.figures, &answer.tables}) {
-        std::move(part->begin(), part->end(), std::back_inserter(report.items));
-    }
+    report.body += answer.words + answer.figures + answer.tables;
 }
 
-Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patience) {
+Paper makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& choice,
+                 const Patience& patience) {
     SceneModel& model = *page.model();
-    const ReportChoice choice;
-    Report report;
-    report.program = QStringLiteral("Ravnoves " RAVNOVES_VERSION);
-    report.date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-    report.language = currentLanguage();
-    report.paper = choice.paper;
+    const QString date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+    Paper report;
     report.title =
         model.title().isEmpty() ? model.sceneTitle() : shortened(model.titleShown().simplified());
-    report.subtitle = ReportWords::tr("Report of a calculation: %1").arg(model.sceneTitle());
+    report.foot = QStringLiteral("Ravnoves " RAVNOVES_VERSION " · ") + date;
+    report.pageOf = ReportWords::tr("Page %1 of %2");
+    report.language = currentLanguage();
+    report.body = heading(report.title, 0) + QStringLiteral("<p class=\"kind\">%1</p>\n")
+                                                 .arg(ReportWords::tr("Report of a calculation: %1")
+                                                          .arg(model.sceneTitle())
+                                                          .toHtmlEscaped());
     const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
-    auto [answer, groups] = caseParts(page, ofParts);
+    const auto [answer, groups] = caseParts(page, report, ofParts);
     addAnswer(report, model, answer);
     addVariants(report, model);
     if (!model.study().empty()) {
@@ -243,21 +236,19 @@ Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patie
     }
     addTolerances(report, model, patience);
     if (choice.inputs) {
-        report.head(ReportWords::tr("Inputs"));
-        for (Table& table : inputTables(model)) {
-            report.items.push_back(std::move(table));
+        report.body += heading(ReportWords::tr("Inputs"));
+        for (const Table& each : inputTables(model)) {
+            report.body += table(each);
         }
-        if (std::optional<Table> missing = leftOut(model)) {
-            report.items.push_back(std::move(*missing));
-        }
+        report.body += table(leftOut(model));
     }
     if (choice.plots) {
-        addResults(report, std::move(groups));
+        addResults(report, groups);
     }
     if (choice.formulas) {
         addTheory(report, model);
     }
-    addCase(report, model, document);
+    addCase(report, model, document, date);
     patience.tell(ReportWords::tr("Pages"), 0.95);
     return report;
 }
@@ -284,8 +275,10 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
     }
     return writeFile(path, [&] {
         const LightTheme light(page.window());
-        const Report report = makeReport(page, document, patience);
-        return (isPdf(path) ? reportAsPdf(report) : reportAsHtml(report)).toStdString();
+        const ReportChoice choice;
+        const Paper report = makeReport(page, document, choice, patience);
+        return (isPdf(path) ? paperAsPdf(report, QPageSize(choice.paper)) : paperAsHtml(report))
+            .toStdString();
     });
 }
 

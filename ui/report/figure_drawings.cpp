@@ -9,10 +9,11 @@
 
 #include "pictures/figure.h"
 #include "plot/plot_view.h"
+#include "report/report_words.h"
 
 namespace ravnoves {
 
-using namespace report;
+using namespace paper;
 
 namespace {
 

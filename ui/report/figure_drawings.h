@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "report/report.h"
+#include "paper/paper.h"
 
 class QWidget;
 
@@ -11,12 +11,12 @@ namespace ravnoves {
 class PlotView;
 
 /// A plot of the page, as tall as on the page.
-report::Drawing drawingOf(PlotView* plot);
+paper::Drawing drawingOf(PlotView* plot);
 /// A plot that was made for the report, at its size.
-report::Drawing drawingOf(const std::shared_ptr<PlotView>& plot);
+paper::Drawing drawingOf(const std::shared_ptr<PlotView>& plot);
 /// A picture of the page, in its shape there.
-report::Drawing drawingOf(QWidget* picture);
+paper::Drawing drawingOf(QWidget* picture);
 /// The same of one that fills any shape.
-report::Drawing drawingOf(QWidget* picture, const QSize& size);
+paper::Drawing drawingOf(QWidget* picture, const QSize& size);
 
 }  // namespace ravnoves

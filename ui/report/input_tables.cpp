@@ -8,6 +8,7 @@
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
 #include "model/scene_model.h"
+#include "report/report_words.h"
 #include "text/capital.h"
 #include "text/field_names.h"
 #include "text/key_words.h"
@@ -17,7 +18,7 @@
 
 namespace ravnoves {
 
-using namespace report;
+using namespace paper;
 
 namespace {
 
@@ -327,7 +328,7 @@ std::vector<Table> inputTables(const SceneModel& model) {
     return Inputs(model).take();
 }
 
-std::optional<Table> leftOut(const SceneModel& model) {
+Table leftOut(const SceneModel& model) {
     const Json input = model.inputJson();
     const std::vector<std::string> replaced = model.replacedInputs();
     const std::vector<std::string> usual = model.usualObjects();
@@ -360,7 +361,7 @@ std::optional<Table> leftOut(const SceneModel& model) {
             table.rows << row;
         }
     }
-    return table.rows.isEmpty() ? std::nullopt : std::optional(std::move(table));
+    return table;
 }
 
 QString shownEquation(std::string_view equation) {

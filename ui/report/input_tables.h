@@ -1,10 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
-#include "report/report.h"
+#include "paper/paper.h"
 
 namespace ravnoves {
 
@@ -12,10 +11,11 @@ class SceneModel;
 
 /// What the case gives, as its file has it: the numbers of each object in one table with their
 /// units, each list of objects in one of its own.
-std::vector<report::Table> inputTables(const SceneModel& model);
+std::vector<paper::Table> inputTables(const SceneModel& model);
 
-/// What the case leaves out and what represents it, each with the name that the form has for it.
-std::optional<report::Table> leftOut(const SceneModel& model);
+/// What the case leaves out and what represents it, each with the name that the form has for it;
+/// without rows where it leaves out nothing.
+paper::Table leftOut(const SceneModel& model);
 
 /// The place of a formula in its source, "(3)", "Table 1", in the language of the program.
 QString shownEquation(std::string_view equation);

@@ -8,7 +8,7 @@
 #include "plot/plot_view.h"
 #include "report/figure_drawings.h"
 #include "report/patience.h"
-#include "report/report.h"
+#include "report/report_words.h"
 #include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
@@ -20,7 +20,7 @@
 
 namespace ravnoves {
 
-using namespace report;
+using namespace paper;
 
 namespace {
 
@@ -115,7 +115,7 @@ Drawing tornadoOf(const StudyModel& study, const StudyAnswer& value) {
 }
 
 /// What the user sweeps in the window of the tolerances.
-void addSweep(Report& report, StudyModel& study, const Patience& patience) {
+void addSweep(Paper& report, StudyModel& study, const Patience& patience) {
     if (study.scene()->sweepChoice().input.empty() || study.study().watch.empty()) {
         return;
     }
@@ -125,7 +125,7 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
     model.setWatched(false);
     if (model.sweep() == nullptr || model.isStale()) {
         if (!model.trouble().isEmpty()) {
-            report.say(model.trouble(), Paragraph::Kind::Warning);
+            report.say(model.trouble(), Tone::Warning);
         }
         return;
     }
@@ -136,7 +136,7 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
         plot->showFigure(figure);
         plot->resize(660, plots.empty() ? 300 : 180);
         plots << plot;
-        report.items.push_back(drawingOf(std::shared_ptr<PlotView>(sheet, plot)));
+        report.body += report.figure(drawingOf(std::shared_ptr<PlotView>(sheet, plot)));
     }
     PlotView::stack(plots);
     const ShownTitle input = study.inputTitle(model.input());
@@ -149,7 +149,7 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
 
 }  // namespace
 
-void addTolerances(Report& report, SceneModel& model, const Patience& patience) {
+void addTolerances(Paper& report, SceneModel& model, const Patience& patience) {
     if (model.study().empty()) {
         return;
     }
@@ -157,17 +157,17 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     if (study.trouble().isEmpty() && study.study().vary.empty()) {
         return;
     }
-    report.head(ReportWords::tr("Tolerances"));
+    report.body += heading(ReportWords::tr("Tolerances"));
     if (!study.trouble().isEmpty()) {
-        report.say(study.trouble(), Paragraph::Kind::Warning);
+        report.say(study.trouble(), Tone::Warning);
         return;
     }
-    report.items.push_back(givenTolerances(study));
+    report.body += table(givenTolerances(study));
     if (ToleranceBands::areShown()) {
         report.say(ReportWords::tr(
                        "Bands about curves and ± beside numbers are the range from 5 % to 95 % "
                        "of 128 samples."),
-                   Paragraph::Kind::Muted);
+                   Tone::Muted);
     }
     if (study.study().watch.empty()) {
         return;
@@ -177,31 +177,30 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     const StudyAnswers* answers = study.answers();
     if (answers == nullptr) {
         report.say(study.trouble().isEmpty() ? ReportWords::tr("No results.") : study.trouble(),
-                   Paragraph::Kind::Warning);
+                   Tone::Warning);
         return;
     }
     report.say(methodText(study.study()));
-    report.items.push_back(foundValues(*answers, study));
+    report.body += table(foundValues(*answers, study));
     if (studies::is_sampled(study.study().method)) {
         report.say(ReportWords::tr("Samples solved: %1")
                        .arg(QLocale().toString(qulonglong(answers->solved))),
-                   Paragraph::Kind::Muted);
+                   Tone::Muted);
     }
     if (const QString feasible = answers->feasibleText(); !feasible.isEmpty()) {
-        report.say(feasible,
-                   answers->isRarelyFeasible() ? Paragraph::Kind::Warning : Paragraph::Kind::Muted);
+        report.say(feasible, answers->isRarelyFeasible() ? Tone::Warning : Tone::Muted);
     }
     for (const auto& [reason, count] : study.rejected()) {
         report.say(
             ReportWords::tr("Rejected: %1 × %2").arg(QLocale().toString(qulonglong(count)), reason),
-            Paragraph::Kind::Muted);
+            Tone::Muted);
     }
     for (const QString& note : study.notes()) {
-        report.say(note, Paragraph::Kind::Warning);
+        report.say(note, Tone::Warning);
     }
     constexpr std::size_t maximum = 4;
     for (std::size_t i = 0; i < std::min(maximum, answers->values.size()); ++i) {
-        report.items.push_back(tornadoOf(study, answers->values[i]));
+        report.body += report.figure(tornadoOf(study, answers->values[i]));
     }
     addSweep(report, study, patience);
 }

@@ -1,14 +1,17 @@
 #include "workshop/workshop_card.h"
 
+#include <QCoreApplication>
+#include <QInputDialog>
+#include <QPagedPaintDevice>
+#include <QSettings>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
-#include <optional>
 
 #include "bob-weights/fields.h"
-#include "shop/card_page.h"
 #include "shop/model/verdict.h"
+#include "text/usual_paper.h"
+#include "theme/theme.h"
 #include "v8-plugs/fields.h"
 #include "workshop/plane_drawing.h"
 #include "workshop/plugs/model/v8_text.h"
@@ -20,50 +23,67 @@ using namespace bob_weights;
 
 namespace {
 
-constexpr double cardLeft = CardPage::left;
-constexpr double cardWidth = CardPage::full;
-constexpr double cardRight = CardPage::right;
-constexpr double headingHeight = 5.0;  // mm
+const QString paperKey = QStringLiteral("workshop/paper");  ///< upright, in points
+const QString shopKey = QStringLiteral("workshop/shop-name");
+
+const QString ink = QStringLiteral("#111111");
+const QString grey = QStringLiteral("#555555");
+const QString amber = QStringLiteral("#9a6700");  ///< what does not count
+const QString red = QStringLiteral("#b02020");    ///< STOP
+
 /// What is left to be written by hand.
 const QString byHand = QStringLiteral("…………………");
-constexpr double notePoints = 8.0;
-constexpr double aboveNote = 0.6;  // mm
 
-struct Note {
-    QString text;
-    QColor colour = CardPage::ink;
+/// @param text  plain
+QString lines(const QString& text, int pixels, bool isBold = false, const QString& colour = ink) {
+    return text.isEmpty() ? QString()
+                          : QStringLiteral(
+                                "<p style=\"font-size: %1px; font-weight: %2; color: %3; "
+                                "margin-top: 2px\">%4</p>\n")
+                                .arg(QString::number(pixels),
+                                     isBold ? QStringLiteral("700") : QStringLiteral("400"), colour,
+                                     text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br/>")));
+}
 
-    bool isWarning() const { return colour == CardPage::amber; }
-};
+void embolden(QStringList& row) {
+    for (QString& cell : row) {
+        cell = QStringLiteral("<b>%1</b>").arg(cell);
+    }
+}
 
 /// A table of the card, and what is to be said of it.
 struct Block {
     QString heading;
-    std::vector<CardTable::Column> columns;
-    Results table;  ///< without headings where all are empty
-    CardTable::Bold bold = CardTable::Bold::None;
-    std::vector<Note> notes{};
+    QVector<int> widths;      ///< of its columns, percent
+    Results table;            ///< without headings where all are empty
+    QString notes = {};       ///< HTML
+    QVector<int> left = {0};  ///< columns of words
+    bool hasSum = false;      ///< in its last row
 
-    void say(const QString& text, const QColor& colour = CardPage::ink) {
-        if (!text.isEmpty()) {
-            notes.push_back({text, colour});
+    void say(const QString& text, const QString& colour = ink) {
+        notes += lines(text, 11, colour == amber, colour);
+    }
+    QString html() const {
+        paper::Table shown = paper::tableOf(table);
+        shown.widths = widths;
+        shown.numbers = QVector<bool>(widths.size(), true);
+        for (const int column : left) {
+            shown.numbers[column] = false;
         }
+        if (hasSum) {
+            embolden(shown.rows.last());
+        }
+        return paper::heading(heading, 2) + paper::table(shown) + notes;
     }
 };
 
-/// @return where it ends, mm
-double drawBlock(CardPage& page, const Block& block, double y, double rowHeight) {
-    const double points = std::clamp((rowHeight - 0.2) / page.lineHeight(1.0), 6.0, 8.5);
-    const CardTable table(block.columns, points, rowHeight, block.bold);
-    page.heading(cardLeft, y, table.tableWidth(), block.heading);
-    y += headingHeight;
-    y += table.draw(page, block.table, cardLeft, y);
-    for (const Note& note : block.notes) {
-        y += aboveNote;
-        y += page.paragraph(cardLeft, y, cardWidth, note.text, notePoints, note.isWarning(),
-                            note.colour);
-    }
-    return y;
+/// Columns of a table that has one for each cylinder.
+QVector<int> byCylinder(std::size_t cylinders) {
+    constexpr int name = 20;
+    QVector<int> widths(static_cast<qsizetype>(cylinders) + 1,
+                        (100 - name) / static_cast<int>(cylinders));
+    widths.front() = name;
+    return widths;
 }
 
 /// Where the planes are, and where the machine reads.
@@ -71,7 +91,7 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
     const Correction& correction = *model.input().correction;
     const auto& permissible = model.solution().permissible;
     Block block{words.translate("BobWeights", "Correction planes"),
-                {{38, Qt::AlignLeft}, {28}, {28}, {28}, {34}, {26}},
+                {16, 14, 12, 20, 18, 20},
                 {{words.translate("BobWeights", "Plane"), words.name(field::plane_position),
                   words.name(field::plane_radius), words.name(field::reading_position),
                   words.translate("BobWeights", "Drilled from … to"),
@@ -112,12 +132,7 @@ Block runBlock(const Words& words, const WorkshopModel& model) {
     };
     const QString degrees = QStringLiteral("°");
     Block block{words.translate("BobWeights", "Readings of the balancing machine"),
-                {{32, Qt::AlignLeft},
-                 {30, Qt::AlignHCenter},
-                 {30, Qt::AlignHCenter},
-                 {30, Qt::AlignHCenter},
-                 {30, Qt::AlignHCenter},
-                 {30, Qt::AlignHCenter}},
+                {18, 16, 16, 16, 16, 18},
                 {{words.translate("BobWeights", "Run"), name(0, unit), name(0, degrees),
                   name(1, unit), name(1, degrees), words.translate("BobWeights", "Verdict")}}};
     const auto add = [&](std::size_t run, const auto& readings) {
@@ -157,18 +172,14 @@ Block runBlock(const Words& words, const WorkshopModel& model) {
 /// closer; nothing where nothing is to be done, or there are more cylinders than columns.
 std::vector<Block> matchingBlocks(const Words& words, const WorkshopModel& model) {
     constexpr std::size_t maxCylinders = 16;
-    constexpr double nameWidth = 42.0;
     const auto cylinders = static_cast<std::size_t>(model.input().engine.cylinders);
     if (cylinders > maxCylinders) {
         return {};
     }
-    std::vector<CardTable::Column> columns{{nameWidth, Qt::AlignLeft}};
-    columns.insert(columns.end(), cylinders,
-                   {(cardWidth - nameWidth) / static_cast<double>(cylinders)});
     std::vector<Block> blocks;
     const auto add = [&](const QString& heading, const Results& results) {
         if (!results.rows.isEmpty()) {
-            blocks.push_back({heading, columns, results});
+            blocks.push_back({heading, byCylinder(cylinders), results});
         }
     };
     const bool moves = model.placing() != nullptr && model.placing()->moved > 0;
@@ -200,7 +211,6 @@ std::vector<Block> weightBlocks(const Words& words, const WorkshopModel& model) 
         return {};
     }
     constexpr std::size_t maximum = 12;
-    constexpr double nameWidth = 34.0;
     const auto cylinders = static_cast<std::size_t>(engine.cylinders);
     const std::size_t tables = (cylinders + maximum - 1) / maximum;
     const std::size_t each = (cylinders + tables - 1) / tables;
@@ -209,10 +219,9 @@ std::vector<Block> weightBlocks(const Words& words, const WorkshopModel& model) 
         const std::size_t end = std::min(first + each, cylinders);
         Block block{words.translate("JobCard", "Masses of the parts by cylinder, %1")
                         .arg(words.unit(units::gram)),
-                    {{nameWidth, Qt::AlignLeft}},
+                    byCylinder(each),
                     {{words.translate("Matching", "Cylinder")}}};
         for (std::size_t i = first; i < end; ++i) {
-            block.columns.push_back({(cardWidth - nameWidth) / static_cast<double>(each)});
             block.table.columns.push_back(QString::number(i + 1));
         }
         for (const shop::Part part : shop::all_parts) {
@@ -245,13 +254,12 @@ std::vector<Block> weighedBlocks(const Words& words, const WorkshopModel& model)
         return blocks;
     }
     const QString again = model.weighAgain(words);
-    blocks.front().say(model.assignmentText(words),
-                       again.isEmpty() ? CardPage::ink : CardPage::amber);
+    blocks.front().say(model.assignmentText(words), again.isEmpty() ? ink : amber);
     const Results effects = model.effectResults(words);
     if (effects.rows.size() > 1) {  // the spread is in the summary
-        blocks.insert(blocks.begin() + 1, {words.translate("Matching", "Effect of the matching"),
-                                           {{80, Qt::AlignLeft}, {51}, {51}},
-                                           effects});
+        blocks.insert(
+            blocks.begin() + 1,
+            {words.translate("Matching", "Effect of the matching"), {44, 28, 28}, effects});
     }
     return blocks;
 }
@@ -262,7 +270,7 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
     const v8_plugs::Result& result = *model.plugs();
     Block options{
         words.translate("JobCard", "Options by cost"),
-        {{54, Qt::AlignLeft}, {26}, {26}, {26}, {50}},
+        {34, 12, 15, 13, 26},
         {{QString(), words.translate("JobCard", "take off each, %1").arg(words.unit(units::gram)),
           words.translate("JobCard", "maximum each, %1").arg(words.unit(units::gram)),
           words.translate("JobCard", "remains, %1").arg(words.unit(units::gram_mm)),
@@ -285,15 +293,14 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
                 : words.translate("JobCard", "other crankshaft") + QStringLiteral(": ") + verdict};
     }
     options.say(model.shiftText(words));
-    Block values{words.translate("JobCard", "Engine"),
-                 {{62, Qt::AlignLeft}, {27}, {4}, {62, Qt::AlignLeft}, {27}},
-                 {}};
+    Block values{words.translate("JobCard", "Engine"), {34, 16, 34, 16}, {}};
+    values.left = {0, 2};
     const auto add = [&](const QString& name, const QString& value) {
         ResultRows& rows = values.table.rows;
         if (rows.isEmpty() || rows.constLast().size() > 2) {
             rows << ResultRow{name, value};
         } else {
-            rows.last() << QString() << name << value;
+            rows.last() << name << value;
         }
     };
     for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
@@ -317,266 +324,281 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
     return blocks;
 }
 
+/// A row across the page, or several; cells are HTML.
+QString rowOf(const QStringList& cells, const QString& style) {
+    QString html;
+    for (const QString& cell : cells) {
+        html += QStringLiteral("<td width=\"%1%\" style=\"%2\">%3</td>")
+                    .arg(QString::number(100 / cells.size()), style, cell);
+    }
+    return QStringLiteral("<tr>%1</tr>\n").arg(html);
+}
+QString across(const QString& rows) {
+    return QStringLiteral("<table width=\"100%\">%1</table>\n").arg(rows);
+}
+
+class Card {
+  public:
+    Card(const WorkshopModel& model, const Words& words, const QStringList& rejected,
+         const QStringList& ofResult)
+        : model_(model), words_(words), rejectedOfResult_(rejectedNote(words, ofResult)) {
+        QStringList others = rejected;
+        others.removeIf([&](const QString& each) { return ofResult.contains(each); });
+        if (!others.isEmpty()) {
+            rejected_ = words.translate("JobCard", "Not accepted, the previous value is used: %1")
+                            .arg(others.join(QLatin1Char(' ')));
+        }
+    }
+
+    Paper make() {
+        paper_.title = words_.translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
+                       QString::fromStdString(model_.input().job.engine_number);
+        paper_.foot = QSettings().value(shopKey).toString();
+        paper_.pageOf = words_.translate("JobCard", "Page %1 of %2");
+        paper_.body = head() + answer();
+        forTheMachine();
+        ofParts();
+        return std::move(paper_);
+    }
+
+  private:
+    /// Whose job it is.
+    QString head() const {
+        const workshop::Input& input = model_.input();
+        const QString engine = input.plugs && !input.plugs->engine.name.empty()
+                                   ? words_.translate("JobCard", "V-8 engine: %1")
+                                         .arg(v8_text::engineName(words_, input.plugs->engine.name))
+                                   : WorkshopModel::engineName(words_, input.engine);
+        const JournalJob job = JobDesk::entryOf(input.job);
+        const auto row = [](const std::array<std::pair<QString, QString>, 3>& blanks) {
+            QStringList cells;
+            for (const auto& [caption, value] : blanks) {
+                cells << lines(caption, 9, false, grey) +
+                             lines(value.isEmpty() ? QString(QChar::Nbsp) : value, 12, true);
+            }
+            return rowOf(cells, QStringLiteral("border-bottom: 1px solid #999999"));
+        };
+        return lines(paper_.foot, 12, true) +
+               across(rowOf({lines(words_.translate("BobWeights", "Job card: balancing"), 19, true),
+                             lines(engine, 13, true)
+                                 .replace(QLatin1String("style=\""),
+                                          QLatin1String("style=\"text-align: right; "))},
+                            QStringLiteral("border-bottom: 2px solid #111111"))) +
+               across(
+                   row({{{words_.translate("JobCard", "Engine number"), job.engineNumber},
+                         {words_.translate("JobCard", "Crankshaft number"), job.crankshaftNumber},
+                         {words_.translate("JobCard", "Date"),
+                          words_.day(QString::fromStdString(input.job.date))}}}) +
+                   row({{{words_.translate("JobCard", "Customer"), job.customer},
+                         {words_.translate("JobCard", "Technician"), job.technician},
+                         {words_.translate("BobWeights", "Balanced"),
+                          words_.text(
+                              balance_words[static_cast<std::size_t>(input.balance)].label)}}}));
+    }
+
+    /// What to do in the largest type, and what is wrong.
+    QString answer() const {
+        constexpr int large = 27;  // 20 pt
+        constexpr int largest = 35;
+        const workshop::Withheld withheld = model_.withheld();
+        const QString verdict =
+            withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
+        const QString colour = withheld.any() ? red : !rejectedOfResult_.isEmpty() ? amber : ink;
+        const bool isKnown = model_.solution().bob_weight.has_value();
+        QStringList more{isKnown && !model_.hasPlugs() ? model_.factorText(words_) : QString(),
+                         model_.boringText(words_)};
+        if (model_.isMean()) {
+            more << model_.placedText(words_);
+        }
+        more.removeAll(QString());
+        QString content;
+        if (withheld.any() && !withheld.bob_weight) {
+            content = lines(words_.translate("Workshop", "STOP"), largest, true, colour);
+        }
+        content += lines(model_.headline(words_),
+                         withheld.bob_weight ? largest
+                         : isKnown           ? large
+                                             : 16,
+                         true, colour) +
+                   lines(model_.hangText(words_), 15) + lines(verdict, large, true) +
+                   lines(model_.adviceText(words_), 16, true) +
+                   lines(more.join(QLatin1Char(' ')), 11) +
+                   lines(rejectedOfResult_, 13, true, amber);
+        for (const QString& each : model_.troubles(words_, true)) {
+            content += lines(each, 13, true, amber);
+        }
+        return across(rowOf({content}, QStringLiteral("background-color: #eeeeee; "
+                                                      "padding: 4px 11px; border: %1px solid %2")
+                                           .arg(colour == ink ? 1 : 4)
+                                           .arg(colour)));
+    }
+
+    /// Each plane as a clock with its holes below.
+    QString clocks() {
+        QStringList names;
+        QStringList pictures;
+        QStringList holes;
+        for (std::size_t plane = 0; plane < 2; ++plane) {
+            names << lines(model_.planeName(plane, words_), 14, true);
+            const QSize size(320, 164);
+            pictures << paper_.picture(
+                {{}, {}, size, [&model = model_, plane, size](QPainter& painter) {
+                     const QColor black(ink);
+                     const QColor hair(0x99, 0x99, 0x99);
+                     drawPlane(painter, QRectF(QPointF(), size),
+                               {model.input(), model.solution(), plane},
+                               {.line = black,
+                                .thin = hair,
+                                .text = black,
+                                .hole = black,
+                                .slug = QColor(grey),
+                                .reading = QColor(amber),
+                                .limit = QColor(grey),
+                                .fits = black,
+                                .exceeds = QColor(amber),
+                                .font = Theme::font(9),
+                                .lineWidth = 1.1});
+                 }});
+            Results found = model_.holeResults(words_, plane);
+            paper::Table table = paper::tableOf(found);
+            table.widths = {36, 26, 16, 22};
+            std::ranges::for_each(table.rows, embolden);
+            holes << paper::table(table);
+        }
+        const QString none = QStringLiteral("border: none");
+        return across(rowOf(names, QStringLiteral("border-bottom: 1px solid #111111")) +
+                      rowOf(pictures, none) + rowOf(holes, none)) +
+               // By another convention a hole is drilled on the wrong side.
+               lines(model_.machineText(words_), 12, true);
+    }
+
+    /// The first page, with room to write on and lines to sign on.
+    void forTheMachine() {
+        const Result& shaft = model_.solution();
+        const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
+                                          [](const RunResult& run) { return run.is_drilled(); });
+        if (shaft.correction || hasMetal) {
+            paper_.body += clocks();
+        }
+        std::vector<Block> blocks;
+        if (hasMetal) {
+            blocks.push_back({words_.translate("BobWeights", "Already drilled"),
+                              {12, 30, 14, 26, 18},
+                              model_.drilledResults(words_)});
+            blocks.back().left = {0, 1};
+        }
+        if (shaft.correction) {
+            blocks.push_back(
+                {words_.translate("BobWeights", "Correction: measured → after correction"),
+                 {34, 33, 33},
+                 model_.planeResults(words_)});
+            blocks.back().say(model_.holeNote(words_) + QLatin1Char(' ') +
+                              model_.metalsText(words_));
+        }
+        blocks.push_back(runBlock(words_, model_));
+        blocks.back().say(model_.limitText(words_));
+        const std::optional<Correction>& correction = model_.input().correction;
+        if (correction && correction->planes.size() == 2 && correction->readings.size() == 2) {
+            blocks.push_back(planeBlock(words_, model_));
+        }
+        for (const Block& block : blocks) {
+            paper_.body += block.html();
+        }
+        paper_.body += lines(rejected_, 11, true, amber) +
+                       paper::heading(words_.translate("JobCard", "Notes"), 2) +
+                       lines(QString::fromStdString(model_.input().job.notes).simplified(), 11) +
+                       paper::blankLines;
+        QStringList captions{words_.translate("JobCard", "Technician, signature"),
+                             words_.translate("JobCard", "Inspector, signature"),
+                             words_.translate("JobCard", "Date")};
+        for (QString& caption : captions) {
+            caption = lines(caption, 9, false, grey);
+        }
+        paper_.body += across(rowOf(QStringList(3, lines(QString(QChar::Nbsp), 18)),
+                                    QStringLiteral("border-bottom: 1px solid #111111")) +
+                              rowOf(captions, QStringLiteral("border: none"))) +
+                       lines(words_.translate("BobWeights", "Ravnoves %1 · ISO 21940-11 · %2")
+                                 .arg(QStringLiteral(RAVNOVES_VERSION), model_.machineText(words_)),
+                             9, false, grey);
+    }
+
+    void ofParts() {
+        QString parts;
+        if (model_.solution().bob_weight) {
+            Block weight{words_.translate("BobWeights", "Bob weight, line by line"),
+                         {40, 20, 20, 20},
+                         model_.lineResults(words_)};
+            weight.hasSum = true;
+            parts = weight.html();
+            if (model_.plugs() != nullptr) {
+                const QString cells = QStringLiteral(
+                    "<tr><td width=\"64%\" style=\"border: none\">%1</td>"
+                    "<td width=\"36%\" style=\"border: none\">%2</td></tr>");
+                parts = across(cells.arg(
+                    parts, paper::heading(words_.translate("JobCard", "Plug"), 2) + plug()));
+            }
+        }
+        std::vector<Block> blocks;
+        if (model_.plugs() != nullptr) {
+            blocks = plugBlocks(words_, model_);
+        }
+        std::ranges::move(weighedBlocks(words_, model_), std::back_inserter(blocks));
+        for (const Block& block : blocks) {
+            parts += block.html();
+        }
+        if (!parts.isEmpty()) {
+            paper_.body += paper::endOfFirstPage + parts;
+        }
+    }
+
+    QString plug() {
+        const QSize size(225, 166);
+        return paper_.figure(
+            {{}, {}, size, [&model = model_, words = words_, size](QPainter& painter) {
+                 const QColor black(ink);
+                 drawPlug(painter, QRectF(QPointF(), size),
+                          plannedPlug(*model.plugsInput(), *model.plugs()),
+                          {black, QColor(0x99, 0x99, 0x99), black, QColor(0xB0, 0x30, 0x10),
+                           Theme::font(10), 1.3},
+                          words);
+             }});
+    }
+
+    const WorkshopModel& model_;
+    Words words_;
+    QString rejectedOfResult_;  ///< notes; empty where nothing is rejected
+    QString rejected_;
+    Paper paper_;
+};
+
 }  // namespace
 
-QString WorkshopCard::title() const {
-    return words_.translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
-           QString::fromStdString(model_.input().job.engine_number);
+Paper jobCard(const WorkshopModel& model, const Words& words, const QStringList& rejected,
+              const QStringList& ofResult) {
+    return Card(model, words, rejected, ofResult).make();
 }
 
-/// Whose job it is.
-double WorkshopCard::head(CardPage& page, double y) const {
-    const workshop::Input& input = model_.input();
-    page.text(cardLeft, y, cardWidth * 0.7, words_.translate("BobWeights", "Job card: balancing"),
-              14, Qt::AlignLeft, true);
-    const QString engine = input.plugs && !input.plugs->engine.name.empty()
-                               ? words_.translate("JobCard", "V-8 engine: %1")
-                                     .arg(v8_text::engineName(words_, input.plugs->engine.name))
-                               : WorkshopModel::engineName(words_, input.engine);
-    const double x = cardLeft + cardWidth * 0.7;
-    double end = y + 7.5;
-    if (page.textWidth(engine, CardPage::smallestType, true) <= cardRight - x) {
-        page.text(x, y + 1.2, cardRight - x, engine, 10, Qt::AlignRight, true);
-    } else {
-        end = std::max(
-            end, y + page.paragraph(x, y, cardRight - x, engine, CardPage::smallestType, true));
-    }
-    y = end;
-    page.line(cardLeft, y, cardRight, y, 0.5, CardPage::ink);
-    y += 1.5;
-    const double third = cardWidth / 3.0;
-    const JournalJob job = JobDesk::entryOf(input.job);
-    const auto row = [&](const std::array<std::pair<QString, QString>, 3>& blanks) {
-        double height = 0.0;
-        for (std::size_t i = 0; i < blanks.size(); ++i) {
-            const auto& [caption, value] = blanks.at(i);
-            height = std::max(height, page.blank(cardLeft + static_cast<double>(i) * third, y,
-                                                 i == 2 ? third + 3 : third, caption, value));
-        }
-        y += height + 1.3;
-    };
-    row({{{words_.translate("JobCard", "Engine number"), job.engineNumber},
-          {words_.translate("JobCard", "Crankshaft number"), job.crankshaftNumber},
-          {words_.translate("JobCard", "Date"),
-           words_.day(QString::fromStdString(input.job.date))}}});
-    row({{{words_.translate("JobCard", "Customer"), job.customer},
-          {words_.translate("JobCard", "Technician"), job.technician},
-          {words_.translate("BobWeights", "Balanced"),
-           words_.text(balance_words[static_cast<std::size_t>(input.balance)].label)}}});
-    return y - 1.0;
+QPageSize cardPaper() {
+    const QPageSize kept(QSettings().value(paperKey).toSize());
+    return kept.isValid() ? kept : QPageSize(usualPaper());
 }
 
-/// What the technician typed, all of it; on the first sheet lines to write on fill its room.
-double WorkshopCard::notes(CardPage& page, double y) const {
-    const QString notes = QString::fromStdString(model_.input().job.notes).simplified();
-    constexpr double lineStep = 6.5;
-    constexpr double minToWrite = 9.0;
-    // More than a line is set smaller.
-    const double points = page.textWidth(notes, 8.5) <= cardWidth ? 8.5 : 7.2;
-    if (notes.isEmpty() && (page.number() > 1 || page.end() - y < minToWrite)) {
-        return y;
-    }
-    // The heading is not left alone.
-    if (y + headingHeight + page.lineHeight(points) > page.end()) {
-        y = page.nextSheet();
-    }
-    page.heading(cardLeft, y, cardWidth, words_.translate("JobCard", "Notes"));
-    y = page.flow(y + headingHeight, notes, points);
-    if (page.number() > 1) {
-        return y;
-    }
-    const int ruled = static_cast<int>(std::max(0.0, std::ceil((page.end() - y) / lineStep) - 1.0));
-    for (int line = 1; line <= ruled; ++line) {
-        page.line(cardLeft, y + line * lineStep, cardRight, y + line * lineStep);
-    }
-    return page.end();
-}
-
-/// Lines to sign on, and the method in small print.
-void WorkshopCard::signatures(CardPage& page, double y) const {
-    const double third = cardWidth / 3.0;
-    const QStringList captions{words_.translate("JobCard", "Technician, signature"),
-                               words_.translate("JobCard", "Inspector, signature"),
-                               words_.translate("JobCard", "Date")};
-    for (int i = 0; i < 3; ++i) {
-        const double x = cardLeft + i * third;
-        page.line(x, y + 7.0, x + third - 6.0, y + 7.0, 0.2, CardPage::ink);
-        page.text(x, y + 7.3, third - 6.0, captions.at(i), 7, Qt::AlignLeft, false, CardPage::grey);
-    }
-    page.text(cardLeft, y + 13.0, cardWidth,
-              words_.translate("BobWeights", "Ravnoves %1 · ISO 21940-11 · %2")
-                  .arg(QStringLiteral(RAVNOVES_VERSION), model_.machineText(words_)),
-              6.5, Qt::AlignLeft, false, CardPage::grey);
-}
-
-/// What to do in the largest type, and what is wrong.
-double WorkshopCard::answer(CardPage& page, double y) const {
-    constexpr double large = 20.0;
-    constexpr double largest = 26.0;
-    const workshop::Withheld withheld = model_.withheld();
-    const bool isDoubtful = withheld.any() || !rejectedText().isEmpty();
-    const QString verdict = withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
-    const QColor& colour = withheld.any() ? CardPage::red
-                           : isDoubtful   ? CardPage::amber
-                                          : CardPage::ink;
-    const bool isKnown = model_.solution().bob_weight.has_value();
-    const double inner = cardLeft + 3.0;
-    const double room = cardWidth - 6.0;
-    QStringList more{isKnown && !model_.hasPlugs() ? model_.factorText(words_) : QString(),
-                     model_.boringText(words_)};
-    if (model_.isMean()) {
-        more << model_.placedText(words_);
-    }
-    more.removeAll(QString());
-    QStringList warnings = QStringList{rejectedText()} + model_.troubles(words_, true);
-    warnings.removeAll(QString());
-    const auto content = [&](double from) {
-        double at = from;
-        if (withheld.any() && !withheld.bob_weight) {
-            at += page.paragraph(inner, at, room, words_.translate("Workshop", "STOP"), largest,
-                                 true, colour);
-        }
-        at += page.paragraph(inner, at, room, model_.headline(words_),
-                             withheld.bob_weight ? largest
-                             : isKnown           ? large
-                                                 : 12.0,
-                             true, colour);
-        at += page.paragraph(inner, at, room, model_.hangText(words_), 11);
-        at += page.paragraph(inner, at + 0.4, room, verdict, large, true);
-        at += page.paragraph(inner, at + 0.4, room, model_.adviceText(words_), 12, true) + 0.4;
-        at += page.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 8.5);
-        return at + page.paragraph(inner, at + 0.4, room,
-                                   warnings.join(QChar(QChar::LineSeparator)), 10, true,
-                                   CardPage::amber);
-    };
-    const double height = page.heightOf(content) + 3.6;
-    page.box(cardLeft, y, cardWidth, height, CardPage::shade, colour, isDoubtful ? 1.2 : 0.3);
-    content(y + 1.6);
-    return y + height;
-}
-
-/// Each plane as a clock with its holes below.
-double WorkshopCard::clocks(CardPage& page, double y) const {
-    constexpr double gap = 4.0;
-    constexpr double clock = 46.0;
-    const double width = (cardWidth - gap) / 2.0;
-    const Result& shaft = model_.solution();
-    double end = y;
-    for (std::size_t plane = 0; plane < 2; ++plane) {
-        const double x = cardLeft + static_cast<double>(plane) * (width + gap);
-        page.heading(x, y, width, model_.planeName(plane, words_));
-        double at = y + headingHeight;
-        if (!page.isMeasuring()) {
-            const QColor amber = CardPage::amber;
-            drawPlane(page.painter(), page.rect(x, at, width, clock),
-                      {model_.input(), shaft, plane},
-                      {.line = CardPage::ink,
-                       .thin = CardPage::hair,
-                       .text = CardPage::ink,
-                       .hole = CardPage::ink,
-                       .slug = CardPage::grey,
-                       .reading = amber,
-                       .limit = CardPage::grey,
-                       .fits = CardPage::ink,
-                       .exceeds = amber,
-                       .font = page.font(7.0),
-                       .lineWidth = 0.3 * page.unit()});
-        }
-        at += clock + 1.0;
-        const CardTable holes({{38, Qt::AlignLeft}, {20}, {15}, {15}}, 9.0, 5.2,
-                              CardTable::Bold::All);
-        at += holes.draw(page, model_.holeResults(words_, plane), x, at);
-        end = std::max(end, at);
-    }
-    // By another convention a hole is drilled on the wrong side.
-    return end + 0.8 +
-           page.paragraph(cardLeft, end + 0.8, cardWidth, model_.machineText(words_), 9.0, true);
-}
-
-/// To the right of the lines of the bob weight.
-void WorkshopCard::drawPlugBeside(CardPage& page, double y) const {
-    constexpr double x = cardLeft + 122.0;
-    constexpr double width = cardWidth - 122.0;
-    constexpr double height = 44.0;
-    page.heading(x, y, width, words_.translate("JobCard", "Plug"));
-    if (!page.isMeasuring()) {
-        static const QColor cut(0xB0, 0x30, 0x10);
-        drawPlug(
-            page.painter(), page.rect(x, y + headingHeight, width, height),
-            plannedPlug(*model_.plugsInput(), *model_.plugs()),
-            {CardPage::ink, CardPage::hair, CardPage::ink, cut, page.font(7.5), 0.35 * page.unit()},
-            words_);
+void keepCardPaper(const QPagedPaintDevice& device) {
+    const QPageSize chosen = device.pageLayout().pageSize();
+    if (chosen.isValid() && chosen != cardPaper()) {  // the usual one may change with the country
+        QSettings().setValue(paperKey, chosen.sizePoints());
     }
 }
 
-void WorkshopCard::draw(CardPage& page) const {
-    constexpr double gap = 2.5;
-    constexpr double signaturesTop = 273.5;
-    constexpr double rowHeight = 4.4;
-    const Result& shaft = model_.solution();
-    page.setFoot(signaturesTop, [&] { signatures(page, signaturesTop); });
-    double y = head(page, CardPage::top);
-    y = answer(page, y + gap);
-    const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
-                                      [](const RunResult& run) { return run.is_drilled(); });
-    if (shaft.correction || hasMetal) {
-        y = page.place(y + gap, [&](double at) { return clocks(page, at); });
+void askShopName(QWidget* parent) {
+    bool isOk = false;
+    const QString name = QInputDialog::getText(
+        parent, QCoreApplication::translate("ravnoves::ShopDialog", "Shop on the job card"),
+        QCoreApplication::translate("ravnoves::ShopDialog", "&Name of the shop"), QLineEdit::Normal,
+        QSettings().value(shopKey).toString(), &isOk);
+    if (isOk) {
+        QSettings().setValue(shopKey, name.trimmed());
     }
-    std::vector<Block> machine;
-    if (hasMetal) {
-        machine.push_back({words_.translate("BobWeights", "Already drilled"),
-                           {{22, Qt::AlignLeft}, {62, Qt::AlignLeft}, {20}, {54}, {24}},
-                           model_.drilledResults(words_)});
-    }
-    if (shaft.correction) {
-        machine.push_back(
-            {words_.translate("BobWeights", "Correction: measured → after correction"),
-             {{62, Qt::AlignLeft}, {60}, {60}},
-             model_.planeResults(words_)});
-        machine.back().say(model_.holeNote(words_) + QLatin1Char(' ') + model_.metalsText(words_));
-    }
-    machine.push_back(runBlock(words_, model_));
-    machine.back().say(model_.limitText(words_));
-    if (model_.input().correction && model_.input().correction->planes.size() == 2 &&
-        model_.input().correction->readings.size() == 2) {
-        machine.push_back(planeBlock(words_, model_));
-    }
-    for (const Block& block : machine) {
-        y = page.place(y + gap, [&](double at) { return drawBlock(page, block, at, rowHeight); });
-    }
-    y = page.flow(y + 1.0, otherRejectedText(), notePoints, CardPage::amber);
-    y = notes(page, y + gap);
-
-    std::vector<Block> parts;
-    const bool hasPlug = shaft.bob_weight && model_.plugs() != nullptr;
-    if (shaft.bob_weight) {
-        std::vector<CardTable::Column> columns{{62, Qt::AlignLeft}, {40}, {40}, {40}};
-        if (hasPlug) {
-            columns = {{58, Qt::AlignLeft}, {18}, {20}, {20}};
-        }
-        parts.push_back({words_.translate("BobWeights", "Bob weight, line by line"),
-                         std::move(columns), model_.lineResults(words_), CardTable::Bold::Last});
-    }
-    if (model_.plugs() != nullptr) {
-        for (Block& block : plugBlocks(words_, model_)) {
-            parts.push_back(std::move(block));
-        }
-    }
-    for (Block& block : weighedBlocks(words_, model_)) {
-        parts.push_back(std::move(block));
-    }
-    if (!parts.empty() && page.number() == 1) {
-        y = page.nextSheet();  // the first page goes to the machine
-    }
-    for (const Block& block : parts) {
-        y = page.place(y + gap, [&](double at) {
-            if (hasPlug && &block == &parts.front()) {
-                drawPlugBeside(page, at);
-            }
-            return drawBlock(page, block, at, rowHeight);
-        });
-    }
-    page.finishSheet();
 }
 
 }  // namespace ravnoves

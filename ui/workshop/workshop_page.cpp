@@ -23,9 +23,9 @@
 #include "pictures/file_dialogs.h"
 #include "shop/model/verdict.h"
 #include "shop/scale_input.h"
-#include "shop/shop_dialog.h"
 #include "text/file_path.h"
 #include "text/language.h"
+#include "text/write_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/entry_field.h"
@@ -273,7 +273,7 @@ void WorkshopPage::buildActions() {
         [this] { exportCard(); });
     buildCardLanguages();
     add(QStringLiteral("shop"), {}, tr("S&hop on the job card…"), {}, {},
-        [this] { ShopDialog(this).exec(); });
+        [this] { askShopName(this); });
     actions_ << nullptr;
     add(QStringLiteral("back_up"), {}, tr("&Back up the journal…"), {}, {}, [this] { backUp(); });
     add(QStringLiteral("restore"), {}, tr("&Restore from a backup…"), {}, {},
@@ -486,13 +486,8 @@ void WorkshopPage::restoreFrom(const QString& file) {
     QMessageBox::information(this, tr("Journal"), said);
 }
 
-WorkshopCard WorkshopPage::card() {
-    WorkshopCard made(*model_, desk()->cardWords());
-    const Shop shop = Shop::kept();
-    say(shop.trouble());
-    made.setShop(shop);
-    made.setRejected(rejectedEntries(this), rejectedInputs(this));
-    return made;
+Paper WorkshopPage::card() {
+    return jobCard(*model_, desk()->cardWords(), rejectedEntries(this), rejectedInputs(this));
 }
 
 bool WorkshopPage::saveJob(bool isFinished) {
@@ -627,7 +622,7 @@ void WorkshopPage::bringJob(qint64 id, bool isCopy) {
 }
 
 void WorkshopPage::paintCard(QPrinter* printer) {
-    if (!card().print(*printer)) {
+    if (!printPaper(card(), *printer)) {
         QMessageBox::warning(this, tr("Job card"), tr("The printer cannot be used."));
     }
 }
@@ -637,13 +632,13 @@ void WorkshopPage::previewCard() {
         return;
     }
     QPrinter printer(QPrinter::HighResolution);
-    WorkshopCard::setPage(printer);
+    setPaper(printer, cardPaper());
     QPrintPreviewDialog dialog(&printer, this);
     dialog.setWindowTitle(tr("Job card"));
     dialog.resize(900, 760);
     connect(&dialog, &QPrintPreviewDialog::paintRequested, this, &WorkshopPage::paintCard);
     dialog.exec();
-    WorkshopCard::keepPaper(printer);
+    keepCardPaper(printer);
 }
 
 void WorkshopPage::printCard() {
@@ -651,17 +646,17 @@ void WorkshopPage::printCard() {
         return;
     }
     QPrinter printer(QPrinter::HighResolution);
-    WorkshopCard::setPage(printer);
+    setPaper(printer, cardPaper());
     QPrintDialog dialog(&printer, this);
     dialog.setOption(QPrintDialog::PrintPageRange, false);  // the card is printed whole
     if (dialog.exec() == QDialog::Accepted) {
-        WorkshopCard::keepPaper(printer);
+        keepCardPaper(printer);
         paintCard(&printer);
     }
 }
 
 QString WorkshopPage::writeCard(const QString& file) {
-    return card().writePdf(file);
+    return writeFile(file, [this] { return paperAsPdf(card(), cardPaper()).toStdString(); });
 }
 
 void WorkshopPage::exportCard() {

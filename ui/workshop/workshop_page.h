@@ -17,7 +17,7 @@ class MachineSheet;
 class WorkshopSheet;
 class VerdictLine;
 class WorkshopAnswer;
-class WorkshopCard;
+struct Paper;
 class WorkshopModel;
 
 /// The page Workshop: the sheets of a job to the left, the answer to the right, journal and job
@@ -57,7 +57,7 @@ class WorkshopPage : public ScenePage {
   private:
     JobDesk* desk() const;
     /// With the shop's name, and the entries rejected now.
-    WorkshopCard card();
+    Paper card();
     /// Does what the verdict proposes.
     void doVerdictAct();
     void showVerdict();

@@ -254,12 +254,11 @@ class JobPageTest : public ::testing::Test {
     }
     /// What the job card prints, in English.
     QString card(const QStringList& rejected = {}) {
-        WorkshopCard made(*model, Words(QStringLiteral("en")));
-        made.setRejected(rejected, rejected);
         onCard = {};
         test::Recorder recorder({2100, 2970}, onCard);
         QPainter painter(&recorder);
-        made.paint(painter, {0, 0, 2100, 2970}, [] { return true; });
+        paintPaper(jobCard(*model, Words(QStringLiteral("en")), rejected, rejected), painter,
+                   {0, 0, 2100, 2970}, [] { return true; });
         painter.end();
         QStringList texts;
         for (const auto& each : onCard.texts) {

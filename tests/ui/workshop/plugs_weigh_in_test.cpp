@@ -22,7 +22,7 @@ TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
     type("nominal_piston", u"600"_s);
     weigh("piston", std::vector<double>(8, 601.0));
     QStringList rows;
-    for (const report::Table& table : inputTables(*model)) {
+    for (const paper::Table& table : inputTables(*model)) {
         for (const QStringList& row : table.rows) {
             rows << row.join(u'|');
         }
