@@ -112,7 +112,7 @@ th, td { text-align: left; vertical-align: top; padding: .2em .6em .2em 0; borde
 th { border-bottom: 1.5px solid #8a929e; } th.group { padding-top: .7em; border-bottom: 1px solid #c9ced6; }
 .number { text-align: right; }
 td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
-p.figure { margin: 1em 0; color: #5b626c; font-size: .9em; }
+p.figure { margin: 1em 0; color: #5b626c; font-size: .9em; } p.figure br { display: none; }
 svg { display: block; width: 100%; height: auto; overflow: hidden; }
 svg text { font-family: "DejaVu Sans Condensed", "Arial Narrow", Arial, sans-serif; }
 footer { margin-top: 2.5em; color: #5b626c; font-size: .85em; }
