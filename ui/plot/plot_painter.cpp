@@ -179,35 +179,42 @@ void PlotPainter::paintGrid(QPainter& painter) const {
     constexpr double stroke = 5.0;  // of a tick, beyond the line; a scale of its own has none
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
-    // Over a picture the grid gives way.
-    LinesOfPen grid{QPen(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1), {}};
-    LinesOfPen strokes{
-        QPen(theme.border(), 1),
-        {{area.topLeft(), area.bottomLeft()}, {area.bottomLeft(), area.bottomRight()}}};
+    QList<QLineF> grid;
+    QList<QLineF> strokes{{area.topLeft(), area.bottomLeft()},
+                          {area.bottomLeft(), area.bottomRight()}};
     for (const double tick : data_.x.ticks(area.width(), columnPerTick())) {
         const double x = area.left() + data_.x.fraction(tick) * area.width();
-        grid.lines.push_back({{x, area.top()}, {x, area.bottom()}});
+        grid.append({x, area.top(), x, area.bottom()});
         if (!data_.x.spec.logarithmic) {
-            strokes.lines.push_back({{x, area.bottom()}, {x, area.bottom() + stroke}});
+            strokes.append({x, area.bottom(), x, area.bottom() + stroke});
         }
     }
     const auto addRows = [&](const PlotScale& scale, double from, double to, bool hasGrid) {
         for (const double tick : scale.ticks(area.height(), rowPerTick())) {
             const double y = area.bottom() - scale.fraction(tick) * area.height();
             if (hasGrid) {
-                grid.lines.push_back({{area.left(), y}, {area.right(), y}});
+                grid.append({area.left(), y, area.right(), y});
             }
             if (!scale.spec.logarithmic) {
-                strokes.lines.push_back({{from, y}, {to, y}});
+                strokes.append({from, y, to, y});
             }
         }
     };
     addRows(data_.left, area.left() - stroke, area.left(), true);
     if (data_.sideUsed(Side::Right)) {
-        strokes.lines.push_back({area.topRight(), area.bottomRight()});
+        strokes.append({area.topRight(), area.bottomRight()});
         addRows(data_.right, area.right(), area.right() + stroke, false);
     }
-    ravnoves::paintLines(painter, {grid, strokes});
+    // One after the other: together they would be as large as the chart.
+    const auto draw = [&](const QColor& colour, const QList<QLineF>& lines) {
+        painter.setPen(QPen(colour, 1));
+        for (const QLineF& line : lines) {
+            paintLine(painter, line.p1(), line.p2());
+        }
+    };
+    // Over a picture the grid gives way.
+    draw(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), grid);
+    draw(theme.border(), strokes);
 }
 
 void PlotPainter::paintGhosts(QPainter& painter) const {
