@@ -86,7 +86,7 @@ class Recovery : public QObject {
     void forget(Watched& watched);
     QString newFile();
     QFileInfoList leftFiles() const;
-    /// Of a program that does not run, whose lock goes then.
+    /// Of a program that does not run; its lock is removed then.
     bool isLeft(const QString& name) const;
 
     QString folder_;

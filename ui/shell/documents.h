@@ -51,7 +51,7 @@ class Documents : public QWidget {
     }
     /// The one in front last is the last.
     const std::vector<std::unique_ptr<OpenDocument>>& all() const { return documents_; }
-    /// By its CaseDocument, which may be gone; null: it is closed.
+    /// By its CaseDocument; null where it is closed.
     OpenDocument* of(const QObject* document) const;
     /// The one that a file is open in, by whatever name; null: none.
     OpenDocument* withFile(const QString& path) const;
@@ -148,7 +148,7 @@ class Documents : public QWidget {
                 const std::function<void()>& load);
     bool chooseAndSave(OpenDocument& document);
     bool saveAt(OpenDocument& document, const QString& path);
-    /// It could not be saved in its place, as the user is told: saves it elsewhere or stays.
+    /// It could not be saved in its place: says why, and saves it elsewhere if the user wants.
     /// @param overwrites  it may be saved there all the same
     bool saveInstead(OpenDocument& document, const QString& path, const QString& trouble,
                      bool overwrites);
