@@ -35,14 +35,17 @@ const QString red = QStringLiteral("#b02020");    ///< STOP
 const QString byHand = QStringLiteral("…………………");
 
 /// @param text  plain
-QString lines(const QString& text, int pixels, bool isBold = false, const QString& colour = ink) {
-    return text.isEmpty() ? QString()
-                          : QStringLiteral(
-                                "<p style=\"font-size: %1px; font-weight: %2; color: %3; "
-                                "margin-top: 2px\">%4</p>\n")
-                                .arg(QString::number(pixels),
-                                     isBold ? QStringLiteral("700") : QStringLiteral("400"), colour,
-                                     text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br/>")));
+/// @param side  of the page or cell
+QString lines(const QString& text, int pixels, bool isBold = false, const QString& colour = ink,
+              const QString& side = QStringLiteral("left")) {
+    return text.isEmpty()
+               ? QString()
+               : QStringLiteral(
+                     "<p style=\"font-size: %1px; font-weight: %2; color: %3; text-align: %4; "
+                     "margin-top: 2px\">%5</p>\n")
+                     .arg(QString::number(pixels),
+                          isBold ? QStringLiteral("700") : QStringLiteral("400"), colour, side,
+                          text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br/>")));
 }
 
 void embolden(QStringList& row) {
@@ -380,9 +383,7 @@ class Card {
         };
         return lines(paper_.foot, 12, true) +
                across(rowOf({lines(words_.translate("BobWeights", "Job card: balancing"), 19, true),
-                             lines(engine, 13, true)
-                                 .replace(QLatin1String("style=\""),
-                                          QLatin1String("style=\"text-align: right; "))},
+                             lines(engine, 13, true, ink, QStringLiteral("right"))},
                             QStringLiteral("border-bottom: 2px solid #111111"))) +
                across(
                    row({{{words_.translate("JobCard", "Engine number"), job.engineNumber},
