@@ -145,6 +145,7 @@ void ShaftMapView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     map_->need();  // the button goes by it, whatever tab is in front
     showPresent();
+    showWords();  // the shaft may have moved meanwhile
 }
 
 void ShaftMapView::resizeEvent(QResizeEvent* event) {

@@ -408,6 +408,16 @@ TEST_F(ShaftMapTest, TheBestPlaceIsTheSmallestWithinAHundredth) {
     EXPECT_TRUE(says("with the RMS within 1 %")) << words().toStdString();
 }
 
+TEST_F(ShaftMapTest, SaysWhatTheBestPlaceChangesFromWhereTheShaftIsNow) {
+    best->click();
+    ASSERT_TRUE(says("Already there")) << words().toStdString();
+    view->hide();  // another tab
+    change([](balance_shaft::Input& input) { input.shaft_angle += 0.5; });
+    view->show();
+    wait();
+    EXPECT_TRUE(says("From here: ")) << words().toStdString();
+}
+
 TEST_F(ShaftMapTest, AMoveAfterEscapeWaitsForTheHandToLetGo) {
     const QPointF from = handle();
     QTest::mousePress(plot, Qt::LeftButton, {}, from.toPoint());
