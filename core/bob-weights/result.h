@@ -30,6 +30,7 @@ struct Metal {
 struct OtherEffect {
     double expected;         ///< unbalance that it was to leave, kg·m
     double expected_angle;   ///< rad, 0…2π
+    bool is_large;           ///< so that no plan can rest on it
     bool is_opposite;        ///< it acted the other way: the unbalance grew
     bool is_in_other_plane;  ///< each plane changed as the other one was to
 };
@@ -62,7 +63,11 @@ struct RunResult {
     std::array<std::optional<double>, 2> unbalances() const;
     /// As measured, of a plane; nothing without reading or limit, and no pass of half a run.
     std::optional<bool> within(std::size_t plane) const;
-    bool acted_as_meant() const { return !other_effect[0] && !other_effect[1]; }
+    /// No plan rests on what the metal drilled before did in a plane.
+    bool contradicts(std::size_t plane) const {
+        return other_effect[plane] && other_effect[plane]->is_large;
+    }
+    bool acted_as_meant() const { return !contradicts(0) && !contradicts(1); }
 
     bool is_drilled() const { return !drilled[0].empty() || !drilled[1].empty(); }
     bool holds() const { return !read_with && !read_on; }

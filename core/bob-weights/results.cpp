@@ -185,7 +185,7 @@ class JobVisit {
         visitor_.list(key::planes, 2, [&](std::size_t i) {
             visit_reading(run, i);
             visitor_.flag(key::within, run.within(i));
-            if (const auto& other = run.other_effect[i]) {
+            if (const auto& other = run.other_effect[i]; run.contradicts(i)) {
                 visitor_.object({"expected", Text::tr("Expected")}, [&] {
                     visitor_.number(key::unbalance, other->expected);
                     visitor_.number(key::angle, other->expected_angle);

@@ -144,8 +144,8 @@ Vector vector_of(const RunResult::InPlane& read) {
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
-/// 0.35 of that and by more than the limit, beyond which it is still. Where nothing was drilled, no
-/// more than that of what was there changes.
+/// a tenth of that and by more than the limit, beyond which it is still; by more than 0.35 it is
+/// large. Where nothing was drilled, no more than that of what was there changes.
 std::array<std::optional<OtherEffect>, 2> other_effects(
     const RunResult& before, const RunResult& after,
     const std::optional<std::array<double, 2>>& permissible) {
@@ -165,17 +165,19 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
         const Vector expected = was + meant[i];
         const bool is_drilled = meant[i] != 0.0;
         const double whole = std::abs(is_drilled ? meant[i] : was);
+        const double off = std::abs(is - expected);
+        const bool is_large = off > std::max(0.35 * whole, limit);
         if ((is_drilled && std::abs(is) <= limit) ||
-            std::abs(is - expected) <= std::max(0.35 * whole, limit)) {
+            !(is_large || (is_drilled && off > std::max(0.1 * whole, limit)))) {
             continue;
         }
         found[i] = {
-            std::abs(expected), turn_of(std::arg(expected)),
+            std::abs(expected), turn_of(std::arg(expected)), is_large,
             is_drilled && std::real((is - was) / meant[i]) < -0.5 && std::abs(is) > std::abs(was),
             false};
     }
     for (auto& each : found) {
-        if (each) {
+        if (each && each->is_large) {
             each->is_in_other_plane = is_in_other_plane && !each->is_opposite;
         }
     }

@@ -90,8 +90,8 @@ Message describe(const ShiftEffect& effect, double tolerance) {
     const Number allowed = shop::in_gram_millimetres(tolerance);
     const Message neglect =
         effect.planned
-            ? Message(Text::tr("The method neglects the shift of the plug's centre of mass: the "
-                               "residual is %1, permissible %2."),
+            ? Message(Text::tr("The paper's method alone would leave %1, permissible %2: it neglects "
+                               "the shift of the plug's centre of mass."),
                       beyond, allowed)
             : Message(Text::tr("The method neglects the shift of the plug's centre of mass, %3 to "
                                "%4 in the paper: the residual is up to %1, permissible %2."),

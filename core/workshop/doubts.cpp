@@ -496,7 +496,7 @@ Messages drilled_counting_otherwise(const DoubtCase& job) {
 Messages drilled_otherwise(const DoubtCase& job) {
     const auto& runs = job.shaft.runs;
     return of_planes([&](std::size_t i) -> Message {
-        if (runs.size() < 2 || !runs.back().other_effect[i]) {
+        if (runs.size() < 2 || !runs.back().contradicts(i)) {
             return {};
         }
         const auto& other = runs.back().other_effect[i];
@@ -515,6 +515,22 @@ Messages drilled_otherwise(const DoubtCase& job) {
                                "holes: angle, depth, zero mark and direction of degrees."),
                 plane_name(job, i), at_angle(now.unbalance, *now.angle),
                 at_angle(other->expected, other->expected_angle)};
+    });
+}
+
+/// Not so much that the plan is wrong, but a hole of another depth would be drilled twice.
+Messages drilled_beside_plan(const DoubtCase& job) {
+    return of_planes([&](std::size_t i) -> Message {
+        const auto& runs = job.shaft.runs;
+        if (runs.size() < 2 || !runs.back().other_effect[i] || runs.back().contradicts(i)) {
+            return {};
+        }
+        const auto& now = *runs.back().planes[i];
+        const auto& other = *runs.back().other_effect[i];
+        return {Text::tr("%1: residual %2 after drilling instead of %3. Check the actual depth of "
+                         "the holes before drilling again."),
+                plane_name(job, i), at_angle(now.unbalance, *now.angle),
+                at_angle(other.expected, other.expected_angle)};
     });
 }
 
@@ -568,7 +584,7 @@ Messages swapped_planes(const DoubtCase& job) {
                                                            (front.starts_with(ends.rear) ||
                                                             rear.starts_with(ends.front));
                                                 }) ||
-                            (certain && front == rear);
+                            (certain ? front == rear : front == "R" || rear == "L");
     if (!job.input.correction || !is_swapped) {
         return {};
     }
@@ -951,6 +967,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-too-deep", error, judged, drilled_act, drilled_too_deep<true>},
         {"swapped-planes", error, judged, "", swapped_planes<true>},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
+        {"drilled-beside-plan", warning, nothing, drilled_act, drilled_beside_plan},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"paper-limit", warning, nothing, "", paper_limits},

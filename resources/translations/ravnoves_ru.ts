@@ -181,8 +181,8 @@
         <translation>Карта работ: балансировка</translation>
     </message>
     <message>
-        <source>Ravnoves %1 · ISO 21940-11 · %2</source>
-        <translation>Ravnoves %1 · ISO 21940-11 · %2</translation>
+        <source>Ravnoves %1 · ISO 21940-11</source>
+        <translation>Ravnoves %1 · ISO 21940-11</translation>
     </message>
     <message>
         <source>Sheet 5: enter position and radius of both planes.</source>
@@ -367,6 +367,14 @@
     <message>
         <source>Hole angles are where to drill: at the heavy spot that the machine shows.</source>
         <translation>Углы отверстий — те, под которыми сверлят: у тяжёлого места, которое показывает станок.</translation>
+    </message>
+    <message>
+        <source>Work at the listed angles: holes are opposite the light spot that the machine shows, slugs are at it.</source>
+        <translation>Работайте под указанными углами: отверстия — напротив лёгкого места, которое показывает станок, вставки — у него.</translation>
+    </message>
+    <message>
+        <source>Work at the listed angles: holes are at the heavy spot that the machine shows, slugs are opposite it.</source>
+        <translation>Работайте под указанными углами: отверстия — у тяжёлого места, которое показывает станок, вставки — напротив него.</translation>
     </message>
 </context>
 <context>
@@ -9518,6 +9526,10 @@
         <translation>%1: остаток после сверления %2 вместо %3. Проверьте, как просверлено: угол, глубину, нулевую метку и направление отсчёта.</translation>
     </message>
     <message>
+        <source>%1: residual %2 after drilling instead of %3. Check the actual depth of the holes before drilling again.</source>
+        <translation>%1: остаток после сверления %2 вместо %3. Прежде чем сверлить снова, проверьте фактическую глубину отверстий.</translation>
+    </message>
+    <message>
         <source>The readings are not in the planes. Enter their angles.</source>
         <translation>Показания сняты не в плоскостях коррекции. Введите их углы.</translation>
     </message>
@@ -10314,8 +10326,8 @@
         <translation>Фрезе %1 нужна глубина %2; дно должно быть не тоньше %3.</translation>
     </message>
     <message>
-        <source>The method neglects the shift of the plug&apos;s centre of mass: the residual is %1, permissible %2.</source>
-        <translation>Метод пренебрегает смещением центра масс заглушки: остаток %1, допустимо %2.</translation>
+        <source>The paper&apos;s method alone would leave %1, permissible %2: it neglects the shift of the plug&apos;s centre of mass.</source>
+        <translation>По одному методу статьи осталось бы %1, допустимо %2: он пренебрегает смещением центра масс заглушки.</translation>
     </message>
     <message>
         <source>The method neglects the shift of the plug&apos;s centre of mass, %3 to %4 in the paper: the residual is up to %1, permissible %2.</source>

@@ -36,7 +36,7 @@ constexpr QRgb hairline = 0xffc9ced6;
 constexpr double cellPad = 1.0;
 const QString style = QStringLiteral(
     "p { margin: 5px 0 0 0; } h1 { font-size: 22px; margin: 0; } "
-    "h2 { font-size: 17px; margin: 22px 0 6px 0; } h3 { font-size: 13px; margin: 6px 0 2px 0; } "
+    "h2 { font-size: 17px; margin: 17px 0 5px 0; } h3 { font-size: 13px; margin: 6px 0 2px 0; } "
     ".kind { font-size: 13px; color: #5b626c; margin-top: 2px; } "
     ".muted { font-size: 11px; color: #5b626c; } "
     ".caption { font-size: 11px; color: #5b626c; margin: 9px 0 2px 0; } "

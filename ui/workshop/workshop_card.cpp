@@ -469,8 +469,11 @@ class Card {
         const QString none = QStringLiteral("border: none");
         return across(rowOf(names, QStringLiteral("border-bottom: 1px solid #111111")) +
                       rowOf(pictures, none) + rowOf(holes, none)) +
-               // By another convention a hole is drilled on the wrong side.
-               lines(model_.machineText(words_), 12, true);
+               // By another convention, or from another zero, a hole is drilled on the wrong side.
+               lines(model_.machineText(words_), 12, true) +
+               (model_.input().machine.zero.empty()
+                    ? lines(words_.translate("BobWeights", "0°: %1.").arg(byHand), 12, true)
+                    : QString());
     }
 
     /// The first page, with room to write on and lines to sign on.
@@ -478,7 +481,8 @@ class Card {
         const Result& shaft = model_.solution();
         const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
                                           [](const RunResult& run) { return run.is_drilled(); });
-        if (shaft.correction || hasMetal) {
+        const bool hasClocks = shaft.correction || hasMetal;
+        if (hasClocks) {
             paper_.body += clocks();
         }
         std::vector<Block> blocks;
@@ -515,12 +519,14 @@ class Card {
         for (QString& caption : captions) {
             caption = lines(caption, 9, false, grey);
         }
-        paper_.body += across(rowOf(QStringList(3, lines(QString(QChar::Nbsp), 18)),
-                                    QStringLiteral("border-bottom: 1px solid #111111")) +
-                              rowOf(captions, QStringLiteral("border: none"))) +
-                       lines(words_.translate("BobWeights", "Ravnoves %1 · ISO 21940-11 · %2")
-                                 .arg(QStringLiteral(RAVNOVES_VERSION), model_.machineText(words_)),
-                             9, false, grey);
+        paper_.body +=
+            across(rowOf(QStringList(3, lines(QString(QChar::Nbsp), 18)),
+                         QStringLiteral("border-bottom: 1px solid #111111")) +
+                   rowOf(captions, QStringLiteral("border: none"))) +
+            lines(words_.translate("BobWeights", "Ravnoves %1 · ISO 21940-11")
+                          .arg(QStringLiteral(RAVNOVES_VERSION)) +
+                      (hasClocks ? QString() : QStringLiteral(" · ") + model_.machineText(words_)),
+                  9, false, grey);
     }
 
     void ofParts() {
@@ -531,12 +537,12 @@ class Card {
                          model_.lineResults(words_)};
             weight.hasSum = true;
             parts = weight.html();
-            if (model_.plugs() != nullptr) {
+            if (const QString drawing = plug(); !drawing.isEmpty()) {
                 const QString cells = QStringLiteral(
                     "<tr><td width=\"64%\" style=\"border: none\">%1</td>"
                     "<td width=\"36%\" style=\"border: none\">%2</td></tr>");
                 parts = across(cells.arg(
-                    parts, paper::heading(words_.translate("JobCard", "Plug"), 2) + plug()));
+                    parts, paper::heading(words_.translate("JobCard", "Plug"), 2) + drawing));
             }
         }
         std::vector<Block> blocks;
@@ -552,17 +558,23 @@ class Card {
         }
     }
 
+    /// Nothing of one that cannot be made: a drawing with sizes would be machined.
     QString plug() {
+        if (model_.plugs() == nullptr) {
+            return {};
+        }
+        const auto planned = plannedPlug(*model_.plugsInput(), *model_.plugs());
+        if (planned && planned->impossible) {
+            return {};
+        }
         const QSize size(225, 166);
-        return paper_.figure(
-            {{}, {}, size, [&model = model_, words = words_, size](QPainter& painter) {
-                 const QColor black(ink);
-                 drawPlug(painter, QRectF(QPointF(), size),
-                          plannedPlug(*model.plugsInput(), *model.plugs()),
-                          {black, QColor(0x99, 0x99, 0x99), black, QColor(0xB0, 0x30, 0x10),
-                           Theme::font(10), 1.3},
-                          words);
-             }});
+        return paper_.figure({{}, {}, size, [planned, words = words_, size](QPainter& painter) {
+                                  const QColor black(ink);
+                                  drawPlug(painter, QRectF(QPointF(), size), planned,
+                                           {black, QColor(0x99, 0x99, 0x99), black,
+                                            QColor(0xB0, 0x30, 0x10), Theme::font(10), 1.3},
+                                           words);
+                              }});
     }
 
     const WorkshopModel& model_;
@@ -592,13 +604,15 @@ void keepCardPaper(const QPagedPaintDevice& device) {
 }
 
 void askShopName(QWidget* parent) {
-    bool isOk = false;
-    const QString name = QInputDialog::getText(
-        parent, QCoreApplication::translate("ravnoves::ShopDialog", "Shop on the job card"),
-        QCoreApplication::translate("ravnoves::ShopDialog", "&Name of the shop"), QLineEdit::Normal,
-        QSettings().value(shopKey).toString(), &isOk);
-    if (isOk) {
-        QSettings().setValue(shopKey, name.trimmed());
+    QInputDialog dialog(parent);
+    dialog.setWindowTitle(
+        QCoreApplication::translate("ravnoves::ShopDialog", "Shop on the job card"));
+    dialog.setLabelText(QCoreApplication::translate("ravnoves::ShopDialog", "&Name of the shop"));
+    dialog.setTextValue(QSettings().value(shopKey).toString());
+    dialog.resize(Theme::withText(420),
+                  dialog.sizeHint().height());  // a name is longer than a word
+    if (dialog.exec() == QDialog::Accepted) {
+        QSettings().setValue(shopKey, dialog.textValue().trimmed());
     }
 }
 

@@ -1,6 +1,7 @@
 // What is doubted is not answered: no hole, no bold weight and no pass is in the result.
 
 #include <set>
+#include <tuple>
 
 #include "case-file/result_json.h"
 #include "doubted_jobs.h"
@@ -315,6 +316,22 @@ TEST(Doubts, StopWhereUnbalanceVanishesWithoutAHole) {
     // Measured once more, it is what it was.
     correction["readings"][0] = {{"unbalance_g_mm", 4500}, {"angle_deg", 117}};
     EXPECT_TRUE(solved(input).at("doubts").empty()) << solved(input).at("doubts").dump(1);
+}
+
+TEST(Doubts, NoneOfAHoleAsDeepAsIsPermitted) {
+    Json input = card();
+    input["correction"]["earlier_runs"] = Json::parse(
+        R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 30, "angle_deg": 40}]}])");
+    EXPECT_TRUE(solved(input).at("doubts").empty()) << solved(input).at("doubts").dump(1);
+}
+
+TEST(Doubts, NamesOfOneLetterAreExchangedToo) {
+    Json input = card();
+    for (const auto& [front, rear, count] :
+         {std::tuple("r", "l", 1U), std::tuple("L", "R", 0U), std::tuple("Rim", "Lug", 0U)}) {
+        input["machine"]["planes"] = {front, rear};
+        EXPECT_EQ(solved(input).at("doubts").size(), count) << front;
+    }
 }
 
 // One wrong digit or field each, of jobs that nobody doubts, beside those of the table of doubts.

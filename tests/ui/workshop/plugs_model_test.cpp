@@ -234,7 +234,7 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     // 1.83 g twice, 6.24 mm farther out than counted: beyond the tolerance, so another depth.
     EXPECT_TRUE(has(model.shiftText(), u"22.9"_s));
     const QStringList said = model.troubles() << Words().message(model.verdictShown()->text);
-    EXPECT_EQ(said.filter(u"The method neglects"_s).size(), 1) << "beside the verdict or in it";
+    EXPECT_EQ(said.filter(u"it neglects the shift"_s).size(), 1) << "beside the verdict or in it";
     const auto& effect = *model.plugs()->shift_that_matters();
     const auto two = [](double value, Unit unit) { return Words().number(value, unit, 2); };
     EXPECT_EQ(model.adviceText(), u"Take %1 off each of the 8 steel plugs."_s.arg(

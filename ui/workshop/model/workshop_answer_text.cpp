@@ -274,16 +274,19 @@ bool hasHoles(const bob_weights::Result& result) {
     return result.is_planned() && result.holds();
 }
 
+bool hasSlugs(const std::array<PlaneResult, 2>& planes) {
+    return std::ranges::any_of(planes,
+                               [](const PlaneResult& plane) { return !plane.slugs.empty(); });
+}
+
 QString slugNote(const Words& words, const std::array<PlaneResult, 2>& planes) {
-    const bool hasSlugs = std::any_of(planes.begin(), planes.end(), [](const PlaneResult& plane) {
-        return !plane.slugs.empty();
-    });
-    return hasSlugs ? QLatin1Char(' ') +
-                          words.translate("BobWeights",
-                                          "A slug is as long as its hole; its mass is given with "
-                                          "its diameter. Secure it: a press fit alone does not "
-                                          "withstand the force at service speed.")
-                    : QString();
+    return hasSlugs(planes)
+               ? QLatin1Char(' ') +
+                     words.translate("BobWeights",
+                                     "A slug is as long as its hole; its mass is given with "
+                                     "its diameter. Secure it: a press fit alone does not "
+                                     "withstand the force at service speed.")
+               : QString();
 }
 
 }  // namespace
@@ -664,13 +667,21 @@ QString WorkshopModel::machineText(const Words& words) const {
         said << words.translate("BobWeights", "0°: %1.")
                     .arg(QString::fromStdString(machine.zero).simplified());
     }
-    said << (machine.shows == workshop::Machine::Shows::light
+    const bool showsLight = machine.shows == workshop::Machine::Shows::light;
+    const bool takesSlugs = solution().correction && hasSlugs(*solution().correction);
+    said << (takesSlugs && showsLight
                  ? words.translate("BobWeights",
-                                   "Hole angles are where to drill: opposite the light spot "
-                                   "that the machine shows.")
-                 : words.translate("BobWeights",
-                                   "Hole angles are where to drill: at the heavy spot that "
-                                   "the machine shows."));
+                                   "Work at the listed angles: holes are opposite the light spot "
+                                   "that the machine shows, slugs are at it.")
+             : takesSlugs ? words.translate("BobWeights",
+                                            "Work at the listed angles: holes are at the heavy "
+                                            "spot that the machine shows, slugs are opposite it.")
+             : showsLight ? words.translate("BobWeights",
+                                            "Hole angles are where to drill: opposite the light "
+                                            "spot that the machine shows.")
+                          : words.translate("BobWeights",
+                                            "Hole angles are where to drill: at the heavy spot "
+                                            "that the machine shows."));
     return said.join(QLatin1Char(' '));
 }
 
@@ -810,8 +821,8 @@ Results WorkshopModel::planeResults(const Words& words) const {
             // What is planned rests on that the holes before acted as they were to.
             const QString verdict = verdictText(
                 words, planned ? readWord(*newest, newest->within(i),
-                                          newest->other_effect[i] ? std::nullopt
-                                                                  : (*planned)[i].within_tolerance,
+                                          newest->contradicts(i) ? std::nullopt
+                                                                 : (*planned)[i].within_tolerance,
                                           (*planned)[i].is_planned())
                                : readWord(*newest, newest->within(i)));
             return ResultCell(verdict.isEmpty() ? noNumber : verdict);
