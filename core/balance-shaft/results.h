@@ -47,6 +47,11 @@ Verdict verdict(const Result& result);
 /// The formulas that the result of this input rests on, in the order of the computation.
 std::vector<Formula> formulas(const Input& input);
 
+/// What an answer leads with, by pointers below "result".
+inline constexpr std::string_view leading[] = {
+    "/metrics/M_ups/range_Nm", "/metrics/M_ups/rms_Nm", "/optimum/range/shaft_angle_deg",
+    "/optimum/range/range_Nm", "/moment_amplitude_Nm",  "/flywheel/excess_work_J"};
+
 /// What the model leaves out, a sentence each.
 std::span<const Text> left_out();
 

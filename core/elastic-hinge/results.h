@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bibliography/formula.h"
@@ -26,6 +27,11 @@ Verdict verdict(const Input& input, const Result& result);
 
 /// The formulas that the result of this input rests on, in the order of the computation.
 std::vector<Formula> formulas(const Input& input);
+
+/// What an answer leads with, by pointers below "result".
+inline constexpr std::string_view leading[] = {
+    "/guide/minimum_preload_mm", "/guide/relief_mm",           "/rod_hinge_moment_integral_J",
+    "/counterweight_weight_N",   "/rod_hinge_guide/relief_mm", "/side_force/largest_with_hinge_N"};
 
 /// What the model leaves out, a sentence each.
 std::span<const Text> left_out();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bibliography/formula.h"
@@ -22,6 +23,13 @@ Verdict verdict(const Input& input, const Result& result);
 
 /// The formulas that the result of this input rests on, in the order of the computation.
 std::vector<Formula> formulas(const Input& input);
+
+/// What an answer leads with, by pointers below "result".
+inline constexpr std::string_view leading[] = {
+    "/exact/order_1/force_N/forward/amplitude",   "/exact/order_1/force_N/backward/amplitude",
+    "/exact/order_1/moment_Nm/forward/amplitude", "/exact/order_1/moment_Nm/backward/amplitude",
+    "/exact/order_2/force_N/forward/amplitude",   "/exact/order_2/force_N/backward/amplitude",
+    "/exact/order_2/moment_Nm/forward/amplitude", "/exact/order_2/moment_Nm/backward/amplitude"};
 
 /// What the model leaves out, a sentence each.
 std::span<const Text> left_out();

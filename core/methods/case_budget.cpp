@@ -1,7 +1,6 @@
 #include "methods/case_budget.h"
 
 #include <algorithm>
-#include <array>
 #include <cfenv>
 #include <cmath>
 #include <limits>
@@ -15,7 +14,6 @@
 #include "case-file/json.h"
 #include "methods/plain_text.h"
 #include "numerics/constants.h"
-#include "numerics/demand.h"
 #include "scenes/scenes.h"
 #include "studies/study.h"
 #include "studies/taylor.h"
@@ -40,57 +38,13 @@ class RoundingMode {
     int before_;
 };
 
-/// What an answer of a scene leads with, below "result".
-struct Leading {
-    std::string_view scene;
-    std::vector<std::string_view> results;
-    /// Below "input" the word that chooses a method rather than an engine.
-    std::string_view choice{};
-};
-
-const Leading& leading_of(std::string_view scene) {
-    static const std::array all{
-        Leading{
-            "balance-shaft",
-            {"/metrics/M_ups/range_Nm", "/metrics/M_ups/rms_Nm", "/optimum/range/shaft_angle_deg",
-             "/optimum/range/range_Nm", "/moment_amplitude_Nm", "/flywheel/excess_work_J"},
-            "/interpolation"},
-        Leading{"elastic-hinge",
-                {"/guide/minimum_preload_mm", "/guide/relief_mm", "/rod_hinge_moment_integral_J",
-                 "/counterweight_weight_N", "/rod_hinge_guide/relief_mm",
-                 "/side_force/largest_with_hinge_N"},
-                "/kinematics"},
-        Leading{"workshop",
-                {"/bobweight_g", "/plugs/options/steel-machined/required_reduction_g",
-                 "/correction/planes/0/unbalance_g_mm", "/correction/planes/1/unbalance_g_mm",
-                 "/correction/planes/0/remaining_g_mm", "/correction/planes/1/remaining_g_mm"}},
-        Leading{"v8-plugs", {"/options/steel-machined/required_reduction_g", "/k_y"}},
-        Leading{"bob-weights",
-                {"/bobweight_g", "/correction/planes/0/unbalance_g_mm",
-                 "/correction/planes/1/unbalance_g_mm", "/correction/planes/0/remaining_g_mm",
-                 "/correction/planes/1/remaining_g_mm", "/permissible_rotor_g_mm"}},
-        Leading{"inertia-moments",
-                {"/exact/order_1/force_N/forward/amplitude",
-                 "/exact/order_1/force_N/backward/amplitude",
-                 "/exact/order_1/moment_Nm/forward/amplitude",
-                 "/exact/order_1/moment_Nm/backward/amplitude",
-                 "/exact/order_2/force_N/forward/amplitude",
-                 "/exact/order_2/force_N/backward/amplitude",
-                 "/exact/order_2/moment_Nm/forward/amplitude",
-                 "/exact/order_2/moment_Nm/backward/amplitude"}},
-    };
-    const auto* const found = std::ranges::find(all, scene, &Leading::scene);
-    RAVNOVES_DEMAND(found != all.end(), "every scene says what its answers lead with");
-    return *found;
-}
-
 /// One case and the changes that are made to it.
 class Question {
   public:
     Question(const CaseFile& file, const CaseContext& context)
         : file_(file), context_(context), solver_(scene_solver(file.scene)) {
         const auto entries = solver_.results(file.input, context);
-        for (const std::string_view leading : leading_results(file.scene)) {
+        for (const std::string_view leading : solver_.leading) {
             const auto found = std::find_if(
                 entries.begin(), entries.end(),
                 [&](const ResultEntry& entry) { return entry.pointer == leading && entry.si; });
@@ -113,7 +67,7 @@ class Question {
 
     void ask_choices() {
         for (const FieldEntry& entry : solver_.fields(file_.input)) {
-            if (entry.pointer != leading_of(file_.scene).choice) {
+            if (entry.pointer != solver_.method) {
                 continue;
             }
             for (const Word& each : entry.field.words) {  // the present one changes nothing
@@ -247,10 +201,6 @@ class Question {
 };
 
 }  // namespace
-
-std::span<const std::string_view> leading_results(std::string_view scene) {
-    return leading_of(scene).results;
-}
 
 std::string Contribution::english() const {
     switch (kind) {

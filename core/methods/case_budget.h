@@ -15,9 +15,6 @@ struct CaseFile;
 
 namespace ravnoves::methods {
 
-/// What an answer of a scene leads with, by pointers below "result".
-std::span<const std::string_view> leading_results(std::string_view scene);
-
 /// How much a leading result changes where one thing alone is otherwise: the same solution of the
 /// same case with this one change.
 struct Contribution {

@@ -81,33 +81,37 @@ std::vector<Preset<Json>> written() {
 }
 
 /// A scene by what each of them has.
-template <typename Input, auto left_out, auto presets, auto read, auto check,
+template <typename Input, const auto& leading, auto left_out, auto presets, auto read, auto check,
           typename Results = FreshResults<Input>>
-SceneSolver scene(std::string_view name, Text title = {}, Text summary = {}) {
+SceneSolver scene(std::string_view name, Text title = {}, Text summary = {},
+                  std::string_view method = {}) {
     return {.name = name,
             .title = title,
             .summary = summary,
             .solve = solve<read>,
             .formulas = formulas_of<Input>,
             .left_out = left_out,
+            .leading = leading,
             .presets = written<presets>,
             .respond = respond<Input, read, check, Results>,
             .results = results_of<read>,
-            .fields = fields_in<Input>};
+            .fields = fields_in<Input>,
+            .method = method};
 }
 
 /// Of a format that the workshop reads: nobody begins in it.
-template <typename Input, auto read, auto check>
+template <typename Input, const auto& leading, auto read, auto check>
 SceneSolver older_scene(std::string_view name) {
     constexpr auto no_presets = [] { return std::vector<Preset<Input>>(); };
-    return scene<Input, workshop::left_out, no_presets, read, check>(name);
+    return scene<Input, leading, workshop::left_out, no_presets, read, check>(name);
 }
 
 SceneSolver balance_shaft_scene() {
     using namespace balance_shaft;
-    SceneSolver made = scene<Input, left_out, presets, read_input, check_joined, RepeatedResults>(
-        "balance-shaft", Text::tr("Balance shaft"),
-        Text::tr("Position the balance shaft of a single-cylinder engine"));
+    SceneSolver made =
+        scene<Input, leading, left_out, presets, read_input, check_joined, RepeatedResults>(
+            "balance-shaft", Text::tr("Balance shaft"),
+            Text::tr("Position the balance shaft of a single-cylinder engine"), "/interpolation");
     made.buildable = "/buildable/at_shaft_angle";
     return made;
 }
@@ -118,20 +122,21 @@ std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
         balance_shaft_scene(),
-        scene<elastic_hinge::Input, elastic_hinge::left_out, elastic_hinge::presets,
-              elastic_hinge::read_input, elastic_hinge::check_input>(
+        scene<elastic_hinge::Input, elastic_hinge::leading, elastic_hinge::left_out,
+              elastic_hinge::presets, elastic_hinge::read_input, elastic_hinge::check_input>(
             "elastic-hinge", Text::tr("Elastic hinges"),
-            Text::tr("Spring guides for constant crank speed")),
-        scene<workshop::Input, workshop::left_out, workshop::presets, workshop::read_input,
-              workshop::check_input>(
+            Text::tr("Spring guides for constant crank speed"), "/kinematics"),
+        scene<workshop::Input, workshop::leading, workshop::left_out, workshop::presets,
+              workshop::read_input, workshop::check_input>(
             "workshop", Text::tr("Workshop"),
             Text::tr("From the scale to the drilled crankshaft, plugs of a V-8 included")),
-        older_scene<workshop::PlugsCase, workshop::read_plugs_case, workshop::check_plugs_case>(
-            "v8-plugs"),
-        older_scene<workshop::BobWeightsCase, workshop::read_bob_weights_case,
-                    workshop::check_bob_weights_case>("bob-weights"),
-        scene<inertia_moments::Input, inertia_moments::left_out, inertia_moments::presets,
-              inertia_moments::read_input, inertia_moments::check_input>(
+        older_scene<workshop::PlugsCase, workshop::leading_of_plugs, workshop::read_plugs_case,
+                    workshop::check_plugs_case>("v8-plugs"),
+        older_scene<workshop::BobWeightsCase, workshop::leading_of_bob_weights,
+                    workshop::read_bob_weights_case, workshop::check_bob_weights_case>(
+            "bob-weights"),
+        scene<inertia_moments::Input, inertia_moments::leading, inertia_moments::left_out,
+              inertia_moments::presets, inertia_moments::read_input, inertia_moments::check_input>(
             "inertia-moments", Text::tr("Inertia moments"),
             Text::tr("Forces and moments of VR5 and any other cylinder layout")),
     };

@@ -32,6 +32,8 @@ struct SceneSolver {
     /// What its result rests on. @throws InputError as solve()
     std::vector<Formula> (*formulas)(const Json& input);
     std::span<const Text> (*left_out)();
+    /// What an answer leads with, by pointers below "result".
+    std::span<const std::string_view> leading;
     std::vector<Preset<Json>> (*presets)();  ///< "input" objects to begin with
     /// Values of its result as functions of numbers of its input, without a file in between; both
     /// by their pointers below "result" and "input". @throws InputError as solve()
@@ -44,6 +46,8 @@ struct SceneSolver {
     std::vector<FieldEntry> (*fields)(const Json& input);
     /// Pointer below "result" to whether a case is feasible, yes or no; empty without one.
     std::string_view buildable{};
+    /// Below "input" the word that chooses a method rather than an engine; empty without one.
+    std::string_view method{};
 };
 
 /// The scenes that have a solver, in the order of the navigation.

@@ -40,6 +40,16 @@ PlugsCase read_plugs_case(const Json& input, Completeness completeness = Complet
 Json write_input(const BobWeightsCase& input);
 Json write_input(const PlugsCase& input);
 
+/// What an answer leads with, by pointers below "result".
+inline constexpr std::string_view leading_of_bob_weights[] = {"/bobweight_g",
+                                                              "/correction/planes/0/unbalance_g_mm",
+                                                              "/correction/planes/1/unbalance_g_mm",
+                                                              "/correction/planes/0/remaining_g_mm",
+                                                              "/correction/planes/1/remaining_g_mm",
+                                                              "/permissible_rotor_g_mm"};
+inline constexpr std::string_view leading_of_plugs[] = {
+    "/options/steel-machined/required_reduction_g", "/k_y"};
+
 /// The values of the format's result. Nothing is doubted.
 void visit_results(ResultVisitor& visitor, const BobWeightsCase& input);
 void visit_results(ResultVisitor& visitor, const PlugsCase& input);

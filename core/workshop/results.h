@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bibliography/formula.h"
@@ -29,6 +30,14 @@ Verdict short_verdict(const Input& input, const Result& result);
 
 /// Formulas of the plugs, if any, and of bob weight and correction.
 std::vector<Formula> formulas(const Input& input);
+/// What an answer leads with, by pointers below "result".
+inline constexpr std::string_view leading[] = {"/bobweight_g",
+                                               "/plugs/options/steel-machined/required_reduction_g",
+                                               "/correction/planes/0/unbalance_g_mm",
+                                               "/correction/planes/1/unbalance_g_mm",
+                                               "/correction/planes/0/remaining_g_mm",
+                                               "/correction/planes/1/remaining_g_mm"};
+
 /// What the models leave out.
 std::span<const Text> left_out();
 

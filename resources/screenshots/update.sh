@@ -36,6 +36,12 @@ page elastic-hinge --case "$here/../examples/zotov-softer-spring.case.json" --se
 page workshop --case "$here/../examples/workshop-v8-4.25.case.json" --set tab=sheet-6
 page inertia-moments --case "$here/../examples/vr5-volkswagen.case.json"
 page methods --scene methods --set tab=charts
+# Another one with its first case.
+for icon in "$here"/../icons/scene-*.svg; do
+    name=$(basename "$icon" .svg)
+    name=${name#scene-}
+    [ -f "$here/../start/$name-dark.png" ] || page "$name" --scene "$name"
+done
 
 # The map alone, without form, table and note.
 map='470x404+438+288'

@@ -6,7 +6,6 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "methods/case_budget.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
 #include "model/scene_model.h"
@@ -188,8 +187,7 @@ std::vector<std::string> StudyModel::results() const {
     collectNumbers(scene_->resultJson(), {}, found);
     // What an answer leads with is first.
     auto next = found.begin();
-    for (const std::string_view leading :
-         methods::leading_results(scene_->sceneName().toStdString())) {
+    for (const std::string_view leading : scene_solver(scene_->sceneName().toStdString()).leading) {
         if (const auto at = std::find(next, found.end(), leading); at != found.end()) {
             next = std::rotate(next, at, at + 1);
         }
