@@ -102,11 +102,12 @@ double bored_mass(const PlugGeometry& plug, double cutter_diameter, double depth
 }
 
 Boring plan_boring(const BoreSetup& setup, double reduction) {
-    const auto& [plug, limits, density] = setup;
+    const PlugGeometry& plug = setup.plug;
+    const BoreLimits& limits = setup.limits;
     const double area = disc(limits.cutter_diameter);
     const bool wider = limits.cutter_diameter > plug.bore_diameter;
     const double ring = wider ? area - disc(plug.bore_diameter) : 0.0;
-    const double volume = reduction / density;
+    const double volume = reduction / setup.density;
 
     Boring boring;
     boring.cuts = reduction > 0.0;
@@ -130,7 +131,7 @@ Boring plan_boring(const BoreSetup& setup, double reduction) {
     const double deepest = std::max(plug.height - limits.minimum_bottom, plug.bore_depth);
     if (wall_allows) {
         boring.max_reduction =
-            std::max(0.0, bored_mass(plug, limits.cutter_diameter, deepest, density));
+            std::max(0.0, bored_mass(plug, limits.cutter_diameter, deepest, setup.density));
     }
     if (reduction > 0.0) {
         if (!wall_allows) {
