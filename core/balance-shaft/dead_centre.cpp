@@ -77,21 +77,21 @@ struct Prior {
     double spread;
 };
 
-const Prior log_ratio_prior{std::log(13.0), 0.35};  ///< of the compression ratio
-
 class CompressionLine {
   public:
-    CompressionLine(const SliderCrank<double>& crank, std::vector<Bin> bins)
+    CompressionLine(const SliderCrank<double>& crank, std::vector<Bin> bins, Prior log_ratio)
         : crank_(crank),
           top_(crank.top_dead_centre()),
           longest_(crank.at(top_).s),
           stroke_(crank.stroke()),
-          bins_(std::move(bins)) {}
+          bins_(std::move(bins)),
+          log_ratio_(log_ratio) {}
 
     struct Fit {
         double centre_deg = 0.0;
         double spread_deg = 0.0;  ///< one standard deviation
-        double cost = 0.0;        ///< χ², with the priors'
+        double loss_deg = 0.0;
+        double cost = 0.0;  ///< χ², with the priors'
         std::size_t rows = 0;
     };
 
@@ -131,6 +131,8 @@ class CompressionLine {
             (cost_at(centre + step) + cost_at(centre - step) - 2.0 * cost) / (step * step);
         constexpr double unknown = 90.0;
         fit.spread_deg = curvature > 0.0 ? std::sqrt(2.0 / curvature) : unknown;
+        cost_at(centre);
+        fit.loss_deg = solution_(Loss);
         return fit;
     }
 
@@ -145,8 +147,8 @@ class CompressionLine {
         constexpr int bits = 12;
         const auto [ratio, cost] = boost::math::tools::brent_find_minima(
             [&](double log_ratio) { return cost_of(log_ratio); },
-            log_ratio_prior.mean - 3.0 * log_ratio_prior.spread,
-            log_ratio_prior.mean + 3.0 * log_ratio_prior.spread, bits);
+            log_ratio_.mean - 3.0 * log_ratio_.spread, log_ratio_.mean + 3.0 * log_ratio_.spread,
+            bits);
         return cost_of(ratio);
     }
 
@@ -181,6 +183,7 @@ class CompressionLine {
             right += row * wanted;
             squares += wanted * wanted;
         }
+        double cost = 0.0;
         for (int k = 0; k < parameters; ++k) {
             const Prior& prior = priors[static_cast<std::size_t>(k)];
             const double weight = 1.0 / (prior.spread * prior.spread);
@@ -188,8 +191,9 @@ class CompressionLine {
             right(k) += weight * prior.mean;
             squares += weight * prior.mean * prior.mean;
         }
-        const double cost = squares - right.dot(normal.ldlt().solve(right));
-        const double ratio = (log_ratio - log_ratio_prior.mean) / log_ratio_prior.spread;
+        solution_ = normal.ldlt().solve(right);
+        cost = squares - right.dot(solution_);
+        const double ratio = (log_ratio - log_ratio_.mean) / log_ratio_.spread;
         return cost + ratio * ratio;
     }
 
@@ -219,8 +223,10 @@ class CompressionLine {
     double longest_;
     double stroke_;
     std::vector<Bin> bins_;
+    Prior log_ratio_;
     std::vector<Bin> used_;
     std::vector<double> stroke_part_;
+    Vector solution_ = Vector::Zero();
 };
 
 }  // namespace
@@ -242,7 +248,8 @@ Message DeadCentre::describe() const {
 }
 
 std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
-                                           const PressureTrace& trace) {
+                                           const PressureTrace& trace,
+                                           std::optional<double> compression_ratio) {
     constexpr std::size_t fewest_rows = 90;
     if (trace.pressure.size() < fewest_rows) {
         return std::nullopt;
@@ -276,7 +283,9 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     if (!is_positive || bins.size() < fewest_bins || !(peak > min_rise * bins.front().pressure)) {
         return std::nullopt;
     }
-    CompressionLine line(crank, std::move(bins));
+    const Prior log_ratio =
+        compression_ratio ? Prior{std::log(*compression_ratio), 0.02} : Prior{std::log(13.0), 0.35};
+    CompressionLine line(crank, std::move(bins), log_ratio);
 
     // Later, where the intake shuts late.
     constexpr double first_end = 50.0;
@@ -328,8 +337,11 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     fit = ends.back().fit;
 
     DeadCentre centre;
+    centre.is_motored = is_motored;
+    centre.angle = fit.centre_deg * degree;
     constexpr double model_spread = 0.1;  // °
     centre.uncertainty = 2.0 * std::hypot(fit.spread_deg, model_spread) * degree;
+    centre.loss_angle = fit.loss_deg * degree;
     const double firing = strokes_of(trace.crank_angle_deg) == 4 ? turn_deg : 0.0;
     centre.shift = std::remainder(firing - fit.centre_deg, period) * degree;
     centre.angle = firing * degree - centre.shift;

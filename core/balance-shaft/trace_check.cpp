@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,17 +38,8 @@ double mean_pressure(const CylinderGas& gas, double angle_deg) {
     return sum / (2 * reach + 1);
 }
 
-/// Compression of a measured trace: p + p_zero = K (V + V_c)⁻ⁿ, 80° to 30° before the firing top
-/// dead centre, where no valve or port is open and nothing burns yet.
-struct CompressionFit {
-    /// n with p_zero = 0 and V_c fitted (compression ratio 4…30): 1.25 to 1.42 for a sane trace.
-    double exponent = 0.0;
-    double residual = 0.0;  ///< RMS of ln p
-    /// p_zero with n = 1.35 fixed: the difference of the trace from absolute pressure, Pa.
-    double missing_pressure = 0.0;
-};
+}  // namespace
 
-/// Nothing where the trace is not positive there.
 std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
     constexpr int rows = 51;      // every degree
     Eigen::ArrayXd volume(rows);  // without V_c, displacements
@@ -85,6 +75,8 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
     }
     return fit;
 }
+
+namespace {
 
 /// Place of the peak from the firing top dead centre, −cycle/2 … cycle/2, °.
 double lateness(const Input& input, const IndicatedCycle& cycle) {

@@ -121,6 +121,15 @@ TEST(TraceCheck, RowsFarApartNearThePeakAreDoubted) {
         << doubt(28);
 }
 
+TEST(TraceCheck, FindsTheExponentOfTheCompression) {
+    for (const Input& engine : sane_engines()) {
+        const auto fit = fit_compression(*cylinder_gas(traced(engine, {})));
+        ASSERT_TRUE(fit);
+        EXPECT_NEAR(fit->exponent, engine.torque.cycle.polytropic_compression, 0.01);
+        EXPECT_NEAR(fit->missing_pressure, 0.0, 0.06 * engine.torque.cycle.intake_pressure);
+    }
+}
+
 TEST(TraceCheck, GaugePressureIsNoticed) {
     for (const Input& engine : {diesel(), petrol(), supercharged(2.5), motored(), two_stroke()}) {
         const Input gauge = traced(engine, {.zero_bar = -1.0});
