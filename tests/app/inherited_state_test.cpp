@@ -1,7 +1,8 @@
-// What whoever starts the program leaves it: ignored signals, closed descriptors, limits. For each
-// command.
+// What whoever starts the program leaves it: ignored signals, closed descriptors, rights of new
+// files, limits. For each command.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <string>
@@ -93,6 +94,19 @@ TEST_F(InheritedState, ClosedDescriptorsGoToNoFile) {
           std::pair{"solve --batch", "ravnoves-cli: standard input cannot be read: "}}) {
         expect_rejected(run(std::string(command) + " <&-"), start);
         expect_rejected(run(std::string(command) + " < ."), start);
+    }
+}
+
+TEST_F(InheritedState, NewFilesHaveTheRightsThatAreLeft) {
+    write_cases();
+    for (const auto& [mask, rights] : {std::pair{"077", 0600U}, std::pair{"002", 0664U}}) {
+        for (const std::string& command : writing()) {
+            EXPECT_EQ(run(command, "", std::string("umask ") + mask + "; ").status, 0) << command;
+            struct stat status {};
+            ASSERT_EQ(::stat((folder / "out").c_str(), &status), 0) << command;
+            EXPECT_EQ(status.st_mode & 0777U, rights) << command;
+            fs::remove(folder / "out");
+        }
     }
 }
 

@@ -460,9 +460,11 @@ TEST(Study, AChangedPartIsRejected) {
             Json changed = written;
             const std::string& pointer = places[random.bits(i, 0, 0) % places.size()];
             Json& value = changed[Json::json_pointer(pointer)];
-            value = value.is_number_float() ? Json(std::nextafter(value.get<double>(), 1e300))
-                    : value.is_number()     ? Json(value.get<std::int64_t>() + 1)
-                                            : Json(1);
+            value = value.is_string()         ? Json(value.get<std::string>() + "1")
+                    : value.is_number_float() ? Json(std::nextafter(value.get<double>(), 1e300))
+                    : value.is_number()       ? Json(value.get<std::int64_t>() + 1)
+                    : value.is_boolean()      ? Json(!value.get<bool>())
+                                              : Json(1);
             EXPECT_NE(error_of([&] { read_part(changed); }), "no error") << pointer;
         }
     }
