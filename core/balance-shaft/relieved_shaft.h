@@ -8,11 +8,6 @@
 
 namespace ravnoves::balance_shaft {
 
-/// A size as messages show it.
-inline Number in_mm(double metres) {
-    return {metres / units::mm, units::mm, 4};
-}
-
 /// A balance shaft with a relieved middle. Of diameter, depth and length two are given and the
 /// third is sized; with all three given the shaft is only checked.
 struct RelievedShaftSizes {

@@ -278,12 +278,13 @@ SpeedStudy::BestCompromise SpeedStudy::best_compromise_angle(
     for (std::size_t k = 1; k <= intervals; ++k) {
         speeds.push_back(&speeds_[k * last / intervals]);
     }
+    const std::vector<AngleStretch> stretches = turned(within, phase_);
     std::deque<Speed> added;
     BestCompromise best;
     double bound = 0.0;
     constexpr int max_rounds = 60;
     for (int round = 0; round < max_rounds; ++round) {
-        best = best_compromise_of(speeds, criterion, measure, turned(within, phase_));
+        best = best_compromise_of(speeds, criterion, measure, stretches);
         bound = best.value - best.gap;
         if (measure == Measure::absolute) {
             break;

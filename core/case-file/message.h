@@ -20,6 +20,11 @@ struct Number {
     bool trimmed = false;       ///< of the decimals no zeros at the end
 };
 
+/// A size as most messages show it.
+inline Number in_mm(double length) {
+    return {length / units::mm, units::mm, 4};
+}
+
 class Message;
 
 /// A value in a message: a number (written in the reader's way), a word that no language changes

@@ -9,7 +9,6 @@ std::vector<Message> unusual_engine_notes(const EngineSizes& engine) {
     constexpr double largest = 10 * units::metre;   // three times those of the largest ships
     constexpr double heaviest = 1e6;                // kg/m³
     constexpr double min_ratio = 0.06;
-    const auto in_mm = [](double length) { return Number{length / units::mm, units::mm, 4}; };
     std::vector<Message> notes;
     if (engine.angular_speed > fastest) {
         notes.emplace_back(Text::tr("Speed %1 is implausible: check it."),
