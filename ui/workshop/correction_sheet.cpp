@@ -201,12 +201,11 @@ void CorrectionSheet::buildDrilled() {
                             tr("Angle, °"), tr("Actual drilling")});
     holes_ = made.first;
     trouble_ = made.second;
-    QLabel* none = line(Theme::smallSize, [this] {
+    line(Theme::smallSize, [this] {
         return holePlaces(model_->input()).empty()
                    ? tr("None yet. The plan appears here after the next run.")
                    : QString();
     });
-    none->setTextInteractionFlags(Qt::NoTextInteraction);
     connect(model_, &SceneModel::changed, this, &CorrectionSheet::growRows);
     growRows();
 }

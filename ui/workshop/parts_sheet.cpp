@@ -14,12 +14,11 @@ PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     buildParts();
     buildChanges();
     section({});
-    QLabel* grey = line(Theme::smallSize, [this] {
+    line(Theme::smallSize, [this] {
         return model_->replacedInputs().empty()
                    ? QString()
                    : tr("Grey values are means of the weigh-in sheet.");
     });
-    grey->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
     finish();
 }
 

@@ -200,7 +200,6 @@ void WorkshopSheet::numberList(
                                     : tr("Read as %1: %2").arg(values.size()).arg(read);
     });
     understood->setObjectName(QString::fromStdString(std::string(description.key) + "_understood"));
-    understood->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
     connect(field, &EntryField::troubleChanged, this, &WorkshopSheet::showAll);
 }
 
