@@ -12,11 +12,11 @@ usage: packaging/test.sh [--quick | --full] [--no-install]
                   a short fuzz once more, with a core under sanitizers
   2. release      the whole program, warnings are errors: build, its other tests (offscreen)
   3. lint         shellcheck over the scripts; what the desktop reads; the Debian package
-  4. with --full  address and undefined-behaviour sanitizers over everything; clang-tidy; runs in 50
-                  to 300 MB of memory; a minute of fuzzing for each reader, 100 000 random cases of each scene, fifty formulas
-                  changed one at a time, the share of lines that the tests reach; 500 kills of a
-                  window that saves; a long day in a window; the worker threads under the thread
-                  sanitizer
+  4. with --full  the benchmarks: build; address and undefined-behaviour sanitizers over everything;
+                  clang-tidy; runs in 50 to 300 MB of memory; a minute of fuzzing for each reader,
+                  100 000 random cases of each scene, fifty formulas changed one at a time, the share
+                  of lines that the tests reach; 500 kills of a window that saves; a long day in a
+                  window; the worker threads under the thread sanitizer
 
   --quick        stages 1 and 2 only
   --full         stage 4 too (slow)
@@ -229,14 +229,15 @@ lint_desktop() {
 
 sections=(core ui run test)
 [ $quick = yes ] || sections+=(lint deb)
-[ $full = no ] || sections+=(full)
+[ $full = no ] || sections+=(full benchmark)
 [ $install = no ] || stage "packages" install_sections "${sections[@]}"
 
 build_and_test core-only
 # What core-only has just built and tested is not built and tested again.
 archive=$root/build/core-only/core/libravnoves-core.a
 ! grep -qx 'core-only: build' "$notes/failed" && [ -f "$archive" ] || archive=
-build_and_test release -DRAVNOVES_BUILD_CORE_TESTS=OFF -DRAVNOVES_CORE_ARCHIVE="$archive"
+build_and_test release -DRAVNOVES_BUILD_CORE_TESTS=OFF -DRAVNOVES_CORE_ARCHIVE="$archive" \
+    -DRAVNOVES_BUILD_BENCHMARKS="$full"
 if [ $quick = no ]; then
     stage "lint: scripts" lint_scripts || true
     stage "lint: desktop entry, metainfo" lint_desktop || true
@@ -253,7 +254,8 @@ if [ $full = yes ]; then
 fi
 
 # Whoever goes on in build/release compiles core there, of what its sources are then.
-[ ! -f "$root/build/release/CMakeCache.txt" ] || configure release -DRAVNOVES_CORE_ARCHIVE= >/dev/null
+[ ! -f "$root/build/release/CMakeCache.txt" ] || configure release -DRAVNOVES_CORE_ARCHIVE= \
+    -DRAVNOVES_BUILD_BENCHMARKS=no >/dev/null
 
 heading "summary"
 # All that is seen of a run may be its last lines.

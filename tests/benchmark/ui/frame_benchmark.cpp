@@ -113,7 +113,7 @@ std::map<std::string, std::function<Drag()>> drags() {
              return Drag{
                  page, [map](int step, int steps) {
                      const double way = static_cast<double>(step) / steps;
-                     map->moveTo({0.12 * way - 0.02, 0.09 - 0.15 * way}, ShaftMapModel::Keyed);
+                     map->moveTo({0.12 * way - 0.02, 0.09 - 0.15 * way}, ShaftMapModel::Snapped);
                  }};
          }},
         {"elastic-hinge, speed",
