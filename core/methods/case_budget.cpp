@@ -97,9 +97,7 @@ class Question {
         if (!file_.study.is_null()) {
             all = studies::read_study(file_.study, true).vary;
         }
-        const auto phase = phase_of_trace();
-        if (phase &&
-            std::ranges::find(all, phase->pointer, &studies::Varied::pointer) == all.end()) {
+        if (const auto phase = phase_of_trace(file_, context_, all)) {
             add({Kind::tolerance, phase->pointer}, {solved(with(phase->pointer, phase->from)),
                                                     solved(with(phase->pointer, phase->to))});
         }
@@ -140,21 +138,6 @@ class Question {
     }
 
   private:
-    /// The phase of a pressure trace, as its compression line tells the dead centre.
-    std::optional<studies::Varied> phase_of_trace() const {
-        if (file_.scene != "balance-shaft") {
-            return std::nullopt;
-        }
-        const balance_shaft::Input read = balance_shaft::read_input(file_.input, context_);
-        const auto centre = find_dead_centre(read);
-        if (!centre) {
-            return std::nullopt;
-        }
-        return studies::Varied{.pointer = "/torque/pressure/crank_angle_shift_deg",
-                               .from = (read.torque.trace_shift - centre->uncertainty) / degree,
-                               .to = (read.torque.trace_shift + centre->uncertainty) / degree};
-    }
-
     Json with(const std::string& pointer, Json value) const {
         Json input = file_.input;
         input[Pointer(pointer)] = std::move(value);
@@ -214,6 +197,24 @@ std::string Contribution::english() const {
             break;
     }
     return pointer + " ±";
+}
+
+std::optional<studies::Varied> phase_of_trace(const CaseFile& file, const CaseContext& context,
+                                              std::span<const studies::Varied> typed) {
+    const std::string pointer = "/torque/pressure/crank_angle_shift_deg";
+    if (file.scene != "balance-shaft" ||
+        std::ranges::find(typed, pointer, &studies::Varied::pointer) != typed.end()) {
+        return std::nullopt;
+    }
+    const balance_shaft::Input read = balance_shaft::read_input(file.input, context);
+    const auto centre = find_dead_centre(read);
+    if (!centre) {
+        return std::nullopt;
+    }
+    return studies::Varied{.pointer = pointer,
+                           .spread = studies::Varied::Spread::uniform,
+                           .from = (read.torque.trace_shift - centre->uncertainty) / degree,
+                           .to = (read.torque.trace_shift + centre->uncertainty) / degree};
 }
 
 std::vector<CaseDoubt> case_budget(const CaseFile& file, const CaseContext& context) {

@@ -16611,6 +16611,10 @@ but no position is feasible</source>
         <source>Half of the range from 5 % to 95 % of %1 samples of the tolerances; both sides where they differ.</source>
         <translation>Половина диапазона от 5 % до 95 % по %1 пробам допусков; обе стороны, если они различаются.</translation>
     </message>
+    <message>
+        <source>Includes the uncertain dead centre of the trace.</source>
+        <translation>Учтена и неточность мёртвой точки диаграммы.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ToleranceWindow</name>

@@ -9,6 +9,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "methods/case_budget.h"
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
@@ -144,7 +145,8 @@ void ToleranceBands::begin() {
         return;
     }
     const SceneModel& model = *page_->model();
-    Json input = model.caseFile().input;  // with defaults
+    CaseFile file = model.caseFile();  // with defaults
+    const Json& input = file.input;
     std::vector<Json::json_pointer> places;
     std::vector<studies::Law> laws;
     for (const studies::Varied& varied : study_.vary) {
@@ -183,12 +185,18 @@ void ToleranceBands::begin() {
     sample->takeView(model);
     sample->moveToThread(nullptr);
     auto numbers = std::make_shared<PartNumbers>(model, ids);
-    job_->start([this, input = std::move(input), places = std::move(places),
-                 samples = samplesOf(laws, study_.method, study_.seed), numbers,
-                 sample = std::move(sample)](
+    job_->start([this, file = std::move(file), places = std::move(places), laws = std::move(laws),
+                 context = model.context(), study = study_, numbers, sample = std::move(sample)](
                     const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
         const std::shared_ptr<SceneModel> own = std::move(sample);
         own->moveToThread(QThread::currentThread());
+        const auto phase = methods::phase_of_trace(file, context, study.vary);
+        if (phase) {
+            places.emplace_back(phase->pointer);
+            laws.push_back(studies::law_of(*phase, 0.0));
+        }
+        const auto samples = samplesOf(laws, study.method, study.seed);
+        Json& input = file.input;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (!progress(static_cast<double>(i) / static_cast<double>(samples.size()))) {
                 return {};
@@ -203,11 +211,13 @@ void ToleranceBands::begin() {
             }
             numbers->add(*own);
         }
-        return [this, solved = numbers->samples(),
-                spreads = numbers->spreads(
-                    tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both "
-                       "sides where they differ.")
-                        .arg(numbers->samples()))] {
+        QString how = tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both "
+                         "sides where they differ.")
+                          .arg(numbers->samples());
+        if (phase) {
+            how += QLatin1Char(' ') + tr("Includes the uncertain dead centre of the trace.");
+        }
+        return [this, solved = numbers->samples(), spreads = numbers->spreads(how)] {
             if (solved == 0) {
                 clear(false);  // no sample can be solved
                 return;

@@ -14,8 +14,8 @@ namespace ravnoves {
 class BackgroundJob;
 class ScenePage;
 
-/// The effect of the tolerances on the page: a band of 5…95 % about each curve, a ± beside each
-/// number of its tables.
+/// The effect of the tolerances on the page, and of the phase that a pressure trace leaves open: a
+/// band of 5…95 % about each curve, a ± beside each number of its tables.
 ///
 /// After a pause, a worker solves samples of the case with a model of its own, which makes the
 /// parts of each. So no scene needs a line for it. Parts that take longer than a frame have no

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "../../core/balance-shaft/synthetic_engine.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/torque_table.h"
 #include "case-file/case_file.h"
@@ -16,6 +17,7 @@
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "events.h"
 #include "files.h"
+#include "methods/case_budget.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
 #include "pictures/figure.h"
@@ -234,6 +236,36 @@ TEST_F(Bands, OfACaseWhoseFileIsGoneThereAreNone) {
     ASSERT_TRUE(QFile::remove(folder.filePath(u"ind.csv"_s)));
     settle();
     EXPECT_FALSE(plot(3)->data().hasSpread());
+}
+
+/// "This case" names the phase among what is uncertain: ± and bands include it.
+TEST_F(Bands, IncludeThePhaseThatATraceLeavesOpen) {
+    const QTemporaryDir folder;
+    std::string rows = "deg;bar\n";
+    const balance_shaft::PressureTrace trace = balance_shaft::test::trace_of(
+        balance_shaft::test::synthetic_engines().front().pressure(1.0), 1.0);
+    for (std::size_t i = 0; i < trace.pressure.size(); ++i) {
+        rows += std::to_string(i) + ';' + std::to_string(trace.pressure[i] / 1e5) + '\n';
+    }
+    write_text_file(fsPath(folder.filePath(u"p.csv"_s)), rows);
+    Json vary{{"/centre_distance_mm", {{"plus_minus", 1e-3}}}};
+    const auto found = [&] {
+        open("balance-shaft", vary);
+        Json input = page->model()->inputJson();
+        input["torque"] = {{"pressure", {{"csv", "p.csv"}}}};
+        input["cylinder"] = {{"bore_mm", 95.5}, {"rod_length_mm", 150}};
+        page->model()->loadInput(input, CaseContext{fsPath(folder.path())});
+        settle();
+        return texts();
+    };
+    const QStringList byItself = found();
+    const auto phase = methods::phase_of_trace(page->model()->caseFile(), page->model()->context(),
+                                               std::vector<studies::Varied>());
+    ASSERT_TRUE(phase);
+    vary[phase->pointer] = {{"from", phase->from}, {"to", phase->to}};
+    EXPECT_EQ(byItself, found()) << "as if it had been typed";
+    vary[phase->pointer] = {{"plus_minus", 1e-6}};
+    EXPECT_NE(byItself, found()) << "what is typed is in its place";
 }
 
 /// Of a rod as long as its crank there is no exact kinematics to compare with: its curve is empty.
