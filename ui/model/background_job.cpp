@@ -109,6 +109,14 @@ void BackgroundJob::post(std::function<void()> telling) {
     QMetaObject::invokeMethod(this, &BackgroundJob::tell, Qt::QueuedConnection);
 }
 
+void BackgroundJob::tellSoFar(std::function<void()> telling) {
+    post([stop = stop_, telling = std::move(telling)] {
+        if (!*stop) {
+            telling();
+        }
+    });
+}
+
 void BackgroundJob::tell() {
     const QPointer<BackgroundJob> self(this);
     while (self) {  // what is told may end it

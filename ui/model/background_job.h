@@ -39,6 +39,8 @@ class BackgroundJob : public QObject {
     /// The same, and waits until its thread is idle: until the work next reports its progress.
     void stop();
     bool isRunning() const { return running_; }
+    /// From the work: runs this in the thread of this object unless the work is stopped by then.
+    void tellSoFar(std::function<void()> telling);
 
   Q_SIGNALS:
     void progress(double part);

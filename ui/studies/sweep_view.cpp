@@ -158,14 +158,15 @@ void SweepView::chooseResult(const std::string& result) {
 
 void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
-    const bool isFaded = model_->isStale() && sweep != nullptr;
+    const bool isOld = model_->isStale() && !model_->isPartial();
+    const bool isFaded = isOld && sweep != nullptr;
     plot_->setFaded(isFaded, isFaded ? tr("Computing…") : QString());
     share_->setFaded(isFaded);
     words_->setText(sweepWords(*study_, *model_));
     const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
                          !study_->inputTitle(sweep->input).text.isEmpty();
     take_->setVisible(isTaken);
-    if (sweep == nullptr || model_->isStale()) {
+    if (sweep == nullptr || isOld) {
         return;
     }
     if (isTaken) {

@@ -689,6 +689,64 @@ TEST_F(Tolerances, ASweepGoesFromOneTypedValueToAnother) {
     EXPECT_NEAR(ends().first, 0.99 * piston, 1e-9);
 }
 
+TEST_F(Tolerances, ASweepShowsItsPointsAsTheyComeAndIsMadeOnce) {
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    const auto* view = the<SweepView>();
+    SweepModel& model = *view->model();
+    std::vector<std::size_t> soFar;
+    const auto reported = QObject::connect(&model, &SweepModel::changed, [&] {
+        if (model.isPartial()) {
+            soFar.push_back(view->plot()->data().curves.at(0).x.size());
+        }
+    });
+    const QSignalSpy runs(model.job(), &BackgroundJob::runningChanged);
+    sweep();
+    ASSERT_TRUE(model.isBusy());
+    the<QTabWidget>()->setCurrentIndex(0);
+    sweep();
+    const Sweep found = done(model);
+    EXPECT_EQ(runs.count(), 2) << "one run, which a change of tab does not end";
+    EXPECT_EQ(soFar, (std::vector<std::size_t>{16, 31, 61, 121}));
+    QObject::disconnect(reported);
+    // Of the same case and settings they need not be found again.
+    SweepModel again(tolerances->model());
+    QSignalSpy parts(&again, &SweepModel::changed);
+    again.setWatched(true);
+    EXPECT_EQ(done(again), found);
+    EXPECT_EQ(parts.count(), 1);
+}
+
+/// A report of the case that the window has solved, or another window.
+TEST_F(Tolerances, ACaseThatIsTheSameIsSolvedOnce) {
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/metrics/M_ups/range_Nm");
+    tolerances->model()->setSamples(65536);
+    QSignalSpy told(tolerances->model()->job(), &BackgroundJob::progress);
+    waitForAnswer();
+    EXPECT_GT(told.count(), 0);
+    const auto solved = [&] {
+        StudyModel other(&scene());
+        const QSignalSpy again(other.job(), &BackgroundJob::progress);
+        other.setWatched(true);
+        EXPECT_TRUE(test::comes([&] { return other.answers() != nullptr; }));
+        EXPECT_EQ(*other.answers()->values.at(0).mean,
+                  *tolerances->model()->answers()->values.at(0).mean);
+        return again.count();
+    };
+    EXPECT_EQ(solved(), 0);
+    scatter("/centre_distance_mm", u"2"_s);
+    told.clear();
+    waitForAnswer();
+    EXPECT_GT(told.count(), 0) << "another case";
+    EXPECT_EQ(solved(), 0);
+    // A watched value that the program watches anyway is an answer more.
+    tolerances->model()->watch("/buildable/at_shaft_angle");
+    waitForAnswer();
+    EXPECT_EQ(tolerances->model()->answers()->values.size(), 2U);
+}
+
 /// A case from elsewhere: another torque source has taken the input along.
 TEST_F(Tolerances, AToleranceThatIsGoneDoesNotStopASweep) {
     scatter("/centre_distance_mm", u"1"_s);

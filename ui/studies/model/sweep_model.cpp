@@ -14,6 +14,7 @@
 #include "model/scene_model.h"
 #include "scenes/scenes.h"
 #include "studies/model/scattered_inputs.h"
+#include "studies/model/solved_once.h"
 #include "studies/model/study_model.h"
 #include "studies/study_run.h"
 #include "studies/workers.h"
@@ -23,6 +24,8 @@ namespace ravnoves {
 namespace {
 
 constexpr int places = 121;
+constexpr int coarsest = 8;  ///< every so many of them first
+static_assert((places - 1) % coarsest == 0);
 constexpr int sweepRestMs = 200;
 
 constexpr double unsolved = std::numeric_limits<double>::quiet_NaN();
@@ -60,20 +63,20 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
             static_cast<double>(built) / samples};
 }
 
+/// One for each worker.
+using Responses = std::vector<std::unique_ptr<Response>>;
+
 /// Solves the samples at each value of the input that is swept; a second watched value says whether
 /// one can be built.
 /// @return none where it was stopped
 std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
                                    const studies::Problem& problem,
                                    const std::vector<std::vector<double>>& samples,
-                                   studies::Progress& progress) {
+                                   Responses& responses, studies::Progress& progress) {
     const std::size_t watched = problem.study.watch.size();
     std::vector<std::vector<double>> found(values.size(),
                                            std::vector<double>(samples.size(), unsolved));
     std::vector<std::vector<char>> built(values.size(), std::vector<char>(samples.size()));
-    // One core stays free for the window.
-    std::vector<std::unique_ptr<Response>> responses(
-        std::max(2U, std::thread::hardware_concurrency()) - 1);
     studies::share_out(responses.size(), samples.size(), [&](std::size_t worker, std::uint64_t i) {
         if (!responses[worker]) {
             responses[worker] = problem.make();
@@ -113,16 +116,34 @@ std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, doub
     return best;
 }
 
-/// @return without places where it was stopped
-Sweep computed(Sweep sweep, const studies::Problem& problem,
-               const BackgroundJob::Progress& keepGoing) {
+/// @param show  is given the results so far, from coarse to fine
+/// @return nothing where it was stopped
+std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
+                              const BackgroundJob::Progress& keepGoing,
+                              const std::function<void(const Sweep&)>& show) {
     constexpr int rounds = 3;  // each a tenth as wide
     constexpr int finer = 21;
     const double from = problem.study.vary[0].from;
     const double to = problem.study.vary[0].to;
     const auto samples = othersOf(problem);
     studies::Progress progress(keepGoing, samples.size() * (places + rounds * finer));
-    sweep.places = placesAt(studies::spaced(from, to, places), problem, samples, progress);
+    // One core stays free for the window.
+    Responses responses(std::max(2U, std::thread::hardware_concurrency()) - 1);
+    sweep.nominalResult = problem.nominal_result.front();
+    const std::vector<double> all = studies::spaced(from, to, places);
+    for (int step = coarsest; step > 0 && !progress.is_stopped(); step /= 2) {
+        std::vector<double> values;
+        const bool isFirst = step == coarsest;
+        for (int i = isFirst ? 0 : step; i < places; i += isFirst ? step : 2 * step) {
+            values.push_back(all[static_cast<std::size_t>(i)]);
+        }
+        std::ranges::move(placesAt(values, problem, samples, responses, progress),
+                          std::back_inserter(sweep.places));
+        std::ranges::sort(sweep.places, {}, &Sweep::Place::x);
+        if (!progress.is_stopped()) {
+            show(sweep);
+        }
+    }
     double maximum = 0.0;
     for (const Sweep::Place& place : sweep.places) {
         maximum = std::max(maximum, place.built);
@@ -133,14 +154,13 @@ Sweep computed(Sweep sweep, const studies::Problem& problem,
     for (int round = 0; round < rounds && sweep.best; ++round) {
         const auto near = placesAt(studies::spaced(std::max(from, sweep.best->x - step),
                                                    std::min(to, sweep.best->x + step), finer),
-                                   problem, samples, progress);
+                                   problem, samples, responses, progress);
         step *= 2.0 / (finer - 1);
         if (const auto best = bestOf(near, built); best && best->size < sweep.best->size) {
             sweep.best = best;
         }
     }
-    sweep.nominalResult = problem.nominal_result.front();
-    return progress.is_stopped() ? Sweep() : sweep;
+    return progress.is_stopped() ? std::nullopt : std::optional(sweep);
 }
 
 }  // namespace
@@ -198,9 +218,7 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
 
 void SweepModel::setWatched(bool watched) {
     watched_ = watched;
-    if (!watched) {
-        job_->cancel();
-    } else if (stale_ || !sweep_) {
+    if (watched && (stale_ || !sweep_) && !isBusy()) {
         start();
     }
 }
@@ -248,6 +266,7 @@ void SweepModel::follow() {
     if (wanted != wanted_) {
         wanted_ = std::move(wanted);
         stale_ = true;
+        partial_ = false;
         job_->cancel();  // what it finds is of what was before
         const auto& vary = wanted_.study.vary;
         const bool isEmpty = !vary.empty() && !(vary.front().from < vary.front().to);
@@ -267,17 +286,26 @@ void SweepModel::start() {
     file.study = studies::write_study(wanted_.study);
     job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
-        Sweep found = computed(sweep, studies::problem_of(file, context), progress);
-        if (found.places.empty()) {
+        const studies::Problem problem = studies::problem_of(file, context);
+        auto found = solvedOnce<Sweep>(problem, 1, [&] {
+            return computed(sweep, problem, progress, [this](const Sweep& soFar) {
+                job_->tellSoFar([this, soFar] { show(soFar, true); });
+            });
+        });
+        if (!found) {
             return {};
         }
-        return [this, found = std::move(found)] {
-            sweep_ = found;
-            stale_ = false;
-            trouble_.clear();
-            Q_EMIT changed();
-        };
+        found->half = sweep.half;  // which the problem does not have
+        return [this, found = std::move(*found)] { show(found, false); };
     });
+}
+
+void SweepModel::show(const Sweep& sweep, bool isPartial) {
+    sweep_ = sweep;
+    partial_ = isPartial;
+    stale_ = isPartial;
+    trouble_.clear();
+    Q_EMIT changed();
 }
 
 void SweepModel::takeBest() {

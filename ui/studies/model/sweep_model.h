@@ -63,13 +63,15 @@ class SweepModel : public QObject {
     /// The limits of the input's tolerance; without one, a whole turn of an angle, or a tenth of
     /// the value either way: within the range of its field. Nothing where no input is chosen.
     std::optional<Ends> usualEnds() const;
-    /// Computes while someone looks.
+    /// Begins while someone looks; what has begun comes to its end.
     void setWatched(bool watched);
 
-    /// The latest sweep; null before any.
+    /// The latest sweep, whole or partial; null before any.
     const Sweep* sweep() const { return sweep_ ? &*sweep_ : nullptr; }
     /// Newer numbers are on the way, or should be.
     bool isStale() const { return stale_; }
+    /// It has the places so far, the others are on the way.
+    bool isPartial() const { return partial_; }
     QString trouble() const { return trouble_; }
     /// Sets the input to the best place, as one step of the history.
     void takeBest();
@@ -87,6 +89,7 @@ class SweepModel : public QObject {
     };
     Wanted wantedNow() const;
     void start();
+    void show(const Sweep& sweep, bool isPartial);
 
     StudyModel* study_;
     BackgroundJob* job_;
@@ -95,6 +98,7 @@ class SweepModel : public QObject {
     std::optional<Sweep> sweep_;
     QString trouble_;
     bool stale_ = false;
+    bool partial_ = false;
     bool watched_ = false;
 };
 
