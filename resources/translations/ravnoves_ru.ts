@@ -10942,6 +10942,10 @@ but no position is feasible</source>
         <source>Difference from the value, the larger of two</source>
         <translation>Отличие от значения, большее из двух</translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::CaseDocument</name>

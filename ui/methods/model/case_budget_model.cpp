@@ -18,25 +18,28 @@ using methods::Contribution;
 
 namespace {
 
-/// A change in the unit of its result: two digits, however small; of rounding its power of ten.
+/// A change in the unit shown of its result: two digits, however small; of rounding its power of
+/// ten.
 ResultCell changeCell(const Contribution& contribution, const Unit& unit) {
     if (!contribution.change) {
         return CaseBudgetModel::tr("cannot be solved");
     }
-    const ShownUnit shown = shownUnit(unit);
-    const double value = *contribution.change / unit * shown.factor;
+    const double value = *contribution.change / unit * shownUnit(unit).factor;
     // The last digits of a rounding are those of a machine.
     const bool isBound = contribution.kind == Contribution::Kind::rounding;
-    const QString text =
-        isBound ? QStringLiteral("< ") + powerOfTen(static_cast<int>(std::ceil(std::log10(value))))
-                : powerText(value, QLocale(), 2);
-    return {value, withUnit(text, shown.name)};
+    return {value, isBound ? QStringLiteral("< ") +
+                                 powerOfTen(static_cast<int>(std::ceil(std::log10(value))))
+                           : powerText(value, QLocale(), 2)};
 }
 
 ResultCell valueCell(const ResultEntry& result) {
-    ResultCell cell = shownCell(*result.si, result.unit, result.decimals);
-    cell.text = withUnit(cell.text, shownUnit(result.unit).name);
-    return cell;
+    return shownCell(*result.si, result.unit, result.decimals);
+}
+
+/// Within a sentence; words have none.
+std::string said(const ResultCell& cell, const Unit& unit) {
+    return (cell.number() != nullptr ? withUnit(cell.text, shownUnit(unit).name) : cell.text)
+        .toStdString();
 }
 
 }  // namespace
@@ -99,9 +102,9 @@ Verdict CaseBudgetModel::verdict() const {
     const CaseDoubt& first = doubted != budget_.end() ? *doubted : budget_.front();
     return {Severity::note,
             {Text::tr("%1: %2. Maximum contribution: %3, %4."), first.result.name,
-             valueCell(first.result).text.toStdString(),
+             said(valueCell(first.result), first.result.unit),
              nameOf(first.contributions.front()).toStdString(),
-             changeCell(first.contributions.front(), first.result.unit).text.toStdString()}};
+             said(changeCell(first.contributions.front(), first.result.unit), first.result.unit)}};
 }
 
 Results CaseBudgetModel::results() const {
@@ -109,14 +112,17 @@ Results CaseBudgetModel::results() const {
         {{tr("Result and change"),
           tr("Leading results of the open case; below each, the effect of a single change")},
          {tr("Value"), tr("Present result")},
-         {tr("Changes by"), tr("Difference from the value, the larger of two")}}};
+         {tr("Changes by"), tr("Difference from the value, the larger of two")},
+         tr("Unit")}};
     const QString indent(3, QChar(0x2002));
     for (const CaseDoubt& doubt : budget_) {
+        const QString unit = shownUnit(doubt.result.unit).name;
         results.rows << ResultRow{messageText(doubt.result.name), valueCell(doubt.result),
-                                  QString()};
+                                  QString(), unit};
         for (const Contribution& each : doubt.contributions) {
-            results.rows << ResultRow{indent + nameOf(each), QString(),
-                                      changeCell(each, doubt.result.unit)};
+            const ResultCell change = changeCell(each, doubt.result.unit);
+            results.rows << ResultRow{indent + nameOf(each), QString(), change,
+                                      change.number() != nullptr ? unit : QString()};
         }
     }
     return results;
