@@ -103,8 +103,6 @@ void markBest(ResultRow& row, const std::vector<bool>& areSound) {
         row[i].isBest =
             isRival(i) && std::abs(row[i].number()->value) - *minimum <= rounding * *maximum;
     }
-    row.tip +=
-        QLatin1Char('\n') + VariantTableWords::tr("★ marks the best of those without a warning.");
 }
 
 }  // namespace

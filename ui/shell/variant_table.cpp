@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <functional>
 
 #include "model/scene_model.h"
@@ -23,6 +24,7 @@ VariantTable::VariantTable(ScenePage* page, QWidget* parent)
       page_(page),
       verdicts_(copyableCaption({}, this)),
       words_(captionLabel({}, this)),
+      star_(captionLabel(tr("★ marks the best of those without a warning."), this)),
       table_(new ResultTable(this)) {
     setWindowTitle(tr("Variants side by side"));
     resizeWithText(this, 720, 520);
@@ -32,6 +34,7 @@ VariantTable::VariantTable(ScenePage* page, QWidget* parent)
     constexpr int fewest = 8;
     table_->setShownRows(fewest);
     column->addWidget(table_, 1);
+    column->addWidget(star_);
     colourText(words_, &Theme::warning);
     column->addWidget(words_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -62,6 +65,9 @@ void VariantTable::showVariants() {
     const VariantResults found = variantResults(model);
     showOrHide(verdicts_, found.verdicts.join(QLatin1Char('\n')));
     table_->setResults(found.results);
+    star_->setVisible(std::ranges::any_of(found.results.rows, [](const ResultRow& row) {
+        return std::ranges::any_of(row, &ResultCell::isBest);
+    }));
     showOrHide(words_,
                model.variants().isEmpty()
                    ? tr("No variants yet. Press Ctrl+K to keep the present input as a variant.")

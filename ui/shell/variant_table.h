@@ -30,6 +30,7 @@ class VariantTable : public QDialog {
     QTimer rest_;
     QLabel* verdicts_;
     QLabel* words_;
+    QLabel* star_;  ///< its meaning, where there is one
     ResultTable* table_;
 };
 

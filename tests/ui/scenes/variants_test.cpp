@@ -458,6 +458,12 @@ TEST(VariantsSideBySide, MarkTheBestAndSayNothingOfWhatIsEqual) {
         EXPECT_EQ(isBest, column == 3) << text.toStdString();
     }
     EXPECT_EQ(stars, 1);
+    const auto isSaid = [&dialog] {
+        return std::ranges::any_of(dialog.findChildren<QLabel*>(), [&](const QLabel* each) {
+            return each->text().startsWith(u'★') && each->isVisibleTo(&dialog);
+        });
+    };
+    EXPECT_TRUE(isSaid());
     EXPECT_EQ(model.verdictShown()->severity, Severity::error);
     EXPECT_LT(values[2], values[1]);
     EXPECT_EQ(std::min_element(values.begin(), values.end()), values.begin());
