@@ -466,12 +466,8 @@ QString ResultTable::asCsv() const {
     return joined(CsvFormat().separator, false);
 }
 
-bool ResultTable::hasSelection() const {
-    return selectedItems().size() > 1;  // one is the cell that the last click or arrow went to
-}
-
-void ResultTable::copySelection() {
-    QApplication::clipboard()->setText(joined(QLatin1Char('\t'), hasSelection()));
+void ResultTable::copy(bool selectionOnly) const {
+    QApplication::clipboard()->setText(joined(QLatin1Char('\t'), selectionOnly));
 }
 
 void ResultTable::paintEvent(QPaintEvent* event) {
@@ -490,7 +486,7 @@ void ResultTable::scrollContentsBy(int across, int down) {
 
 void ResultTable::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
-        copySelection();
+        copy(selectedItems().size() > 1);  // one is where the last click or arrow went
         return;
     }
     QTableWidget::keyPressEvent(event);
@@ -508,10 +504,9 @@ void ResultTable::addCopyButtons(QDialogButtonBox* buttons) const {
 
 void ResultTable::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
-    menu.addAction(tr("Copy selection"), this, &ResultTable::copySelection)
-        ->setEnabled(hasSelection());
-    menu.addAction(tr("Copy table as text"), this,
-                   [this] { QApplication::clipboard()->setText(asText()); });
+    menu.addAction(tr("Copy selection"), this, [this] { copy(true); })
+        ->setEnabled(!selectedItems().isEmpty());
+    menu.addAction(tr("Copy table as text"), this, [this] { copy(false); });
     menu.addAction(tr("Copy table as CSV"), this,
                    [this] { QApplication::clipboard()->setText(asCsv()); });
     menu.exec(event->globalPos());

@@ -76,8 +76,7 @@ class ResultTable : public QTableWidget {
     enum class Room { Plenty, Headings, Little };
 
     QString joined(QChar separator, bool selectionOnly) const;
-    bool hasSelection() const;
-    void copySelection();
+    void copy(bool selectionOnly) const;
     void fitColumns();
     int wantedWidth(int column) const;
     /// Those given, with differences and ±.

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QHeaderView>
+#include <QMenu>
 #include <QScrollBar>
+#include <QTimer>
 #include <QtMath>
 #include <cmath>
 #include <random>
@@ -234,6 +237,19 @@ TEST(CopiedResultTable, IsTheWholeUnlessCellsAreSelected) {
     EXPECT_EQ(copied(), whole);
     table.setRangeSelected({0, 1, 1, 1}, true);
     EXPECT_EQ(copied(), u"-1.5\n2\n"_s);
+    // The menu copies one cell, too.
+    table.clearSelection();
+    table.item(1, 1)->setSelected(true);
+    QTimer::singleShot(0, &table, [] {
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        ASSERT_NE(menu, nullptr);
+        EXPECT_TRUE(menu->actions().at(0)->isEnabled());
+        menu->actions().at(0)->trigger();
+        menu->close();
+    });
+    QContextMenuEvent press(QContextMenuEvent::Keyboard, {}, table.mapToGlobal(QPoint()));
+    QApplication::sendEvent(table.viewport(), &press);
+    EXPECT_EQ(QApplication::clipboard()->text(), u"2\n"_s);
     // Of what is shown; powers of ten as spreadsheets read them.
     table.setRows(
         {{u"10 runs"_s, u"−3.2·10⁻⁷"_s, u"10⁶"_s}, {u"10⁻⁶°"_s, u"< 10⁻¹² N"_s, u"N·m"_s}});
