@@ -21,12 +21,18 @@ namespace {
 
 // In pixels of 1/96 inch, as the drawings are.
 constexpr double millimetre = 96.0 / (units::inch.to_si / units::mm);
-constexpr double pageWidth = 210.0;  ///< A4, mm
-constexpr double pageHeight = 297.0;
 constexpr double left = 18.0 * millimetre;
-constexpr double width = pageWidth * millimetre - left - 14.0 * millimetre;
 constexpr double top = 12.0 * millimetre;
-constexpr double bottom = (pageHeight - 10.5) * millimetre;  ///< of the text
+
+/// The text on a sheet.
+struct Room {
+    explicit Room(const QSizeF& sheet)  // in mm
+        : width((sheet.width() - 14.0) * millimetre - left),
+          bottom((sheet.height() - 10.5) * millimetre) {}
+
+    double width;
+    double bottom;
+};
 
 constexpr QRgb ink = 0xff1a1c20;
 constexpr QRgb pale = 0xff5b626c;
@@ -88,7 +94,8 @@ using Page = std::vector<Piece>;
 
 class Pages {
   public:
-    explicit Pages(const Paper& paper) : pictures_(paper.drawings, width) {
+    Pages(const Paper& paper, const Room& room)
+        : room_(room), pictures_(paper.drawings, room.width) {
         document_.setDocumentMargin(0.0);
         document_.setUseDesignMetrics(true);
         document_.setDefaultFont(paperFont(12));
@@ -96,7 +103,7 @@ class Pages {
         document_.documentLayout()->registerHandler(QTextFormat::ImageObject, &pictures_);
         document_.setDefaultTextOption(wrapping(QTextOption::WordWrap));
         document_.setHtml(paper.body);
-        document_.setTextWidth(width);
+        document_.setTextWidth(room_.width);
         fit();
         for (auto each = document_.rootFrame()->begin(); !each.atEnd(); ++each) {
             if (const auto* table = qobject_cast<const QTextTable*>(each.currentFrame())) {
@@ -113,10 +120,10 @@ class Pages {
     void draw(QPainter& painter, const Piece& piece) const {
         constexpr double lineStep = 6.5 * millimetre;
         constexpr double border = 3.0;  // of a table, which is outside
-        const QRectF shown(-border, piece.from, width + 2.0 * border, piece.to - piece.from);
+        const QRectF shown(-border, piece.from, room_.width + 2.0 * border, piece.to - piece.from);
         painter.setPen(QPen(QColor::fromRgb(hairline), 0.6));
         for (double y = lineStep; y < piece.blankLines; y += lineStep) {
-            painter.drawLine(QPointF(left, piece.y + y), QPointF(left + width, piece.y + y));
+            painter.drawLine(QPointF(left, piece.y + y), QPointF(left + room_.width, piece.y + y));
         }
         if (shown.isEmpty()) {  // which would be no clip
             return;
@@ -130,7 +137,7 @@ class Pages {
             if (strip.isRuled) {
                 painter.setPen(QPen(QColor::fromRgb(rule), 0.8));
                 painter.drawLine(QPointF(0.0, strip.bottom + 3.0),
-                                 QPointF(width, strip.bottom + 3.0));
+                                 QPointF(room_.width, strip.bottom + 3.0));
             }
             if (strip.tone > 0) {
                 constexpr std::array<QRgb, 3> colours{0xff1f7a3d, 0xffb26a00, 0xffb3261e};
@@ -156,17 +163,17 @@ class Pages {
     /// A table whose words have no room beside each other is set smaller; if that is not enough,
     /// words are broken.
     void fit() {
-        const auto isWide = [this] { return document_.size().width() > width + 4.0; };
+        const auto isWide = [this] { return document_.size().width() > room_.width + 4.0; };
         for (QTextFrame* frame : document_.rootFrame()->childFrames()) {
             const double wide = isWide() ? layout().frameBoundingRect(frame).width() : 0.0;
-            if (wide > width + 4.0) {
+            if (wide > room_.width + 4.0) {
                 QTextCursor cursor(&document_);
                 cursor.setPosition(frame->firstPosition());
                 const int size = cursor.charFormat().font().pixelSize();
                 cursor.setPosition(frame->lastPosition(), QTextCursor::KeepAnchor);
                 QTextCharFormat smaller;
                 smaller.setProperty(QTextFormat::FontPixelSize,
-                                    std::max(6, static_cast<int>(size * width / wide)));
+                                    std::max(6, static_cast<int>(size * room_.width / wide)));
                 cursor.mergeCharFormat(smaller);
             }
         }
@@ -254,10 +261,11 @@ class Pages {
             }
             Page* page = &pages_.back();
             const auto overflows = [&](double end) {
-                return !page->empty() && page->back().end() + end - page->back().to > bottom + 0.5;
+                return !page->empty() &&
+                       page->back().end() + end - page->back().to > room_.bottom + 0.5;
             };
             const double together = strips_[last].bottom;
-            const bool canBeTogether = together - strip.top <= bottom - top;
+            const bool canBeTogether = together - strip.top <= room_.bottom - top;
             if ((strip.isAfterFirstPage && pages_.size() == 1 && !page->empty()) ||
                 overflows(strip.bottom) || (canBeTogether && overflows(together))) {
                 page = &pages_.emplace_back();
@@ -278,13 +286,14 @@ class Pages {
                     ++end;
                 }
                 const double rest = strips_[end].bottom - strip.bottom;
-                const double room = std::max(0.0, bottom - page->back().end() - rest);
+                const double room = std::max(0.0, room_.bottom - page->back().end() - rest);
                 page->push_back({page->back().end(), strip.bottom, strip.bottom, room});
                 page->push_back({page->back().end(), strip.bottom, strip.bottom});
             }
         }
     }
 
+    Room room_;
     PaperPictures pictures_;
     QTextDocument document_;
     std::vector<Strip> strips_;
@@ -293,18 +302,19 @@ class Pages {
     bool isText_ = false;  ///< the last strip
 };
 
-void drawFrame(QPainter& painter, const Paper& paper, std::size_t page, std::size_t pages) {
+void drawFrame(QPainter& painter, const Paper& paper, const Room& room, std::size_t page,
+               std::size_t pages) {
     const QFont font = paperFont(9);
     painter.setFont(font);
     painter.setPen(QColor::fromRgb(pale));
-    const QRectF foot(left, bottom + 3.0 * millimetre, width, 14.0);
+    const QRectF foot(left, room.bottom + 3.0 * millimetre, room.width, 14.0);
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, paper.foot);
     painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,
                      paper.pageOf.arg(page + 1).arg(pages));
     if (page > 0) {
-        const QRectF head(left, 6.0 * millimetre, width, 14.0);
+        const QRectF head(left, 6.0 * millimetre, room.width, 14.0);
         painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
-                         QFontMetricsF(font).elidedText(paper.title, Qt::ElideRight, width));
+                         QFontMetricsF(font).elidedText(paper.title, Qt::ElideRight, room.width));
         painter.setPen(QPen(QColor::fromRgb(rule), 0.6));
         painter.drawLine(head.bottomLeft() + QPointF(0, 3), head.bottomRight() + QPointF(0, 3));
     }
@@ -313,15 +323,16 @@ void drawFrame(QPainter& painter, const Paper& paper, std::size_t page, std::siz
 }  // namespace
 
 void paintPaper(const Paper& paper, QPainter& painter, const QRectF& page,
-                const std::function<bool()>& next) {
-    const double scale = page.width() / (pageWidth * millimetre);
-    const Pages pages(paper);
+                const std::function<bool()>& next, const QSizeF& sheet) {
+    const double scale = page.width() / (sheet.width() * millimetre);
+    const Room room(sheet);
+    const Pages pages(paper, room);
     painter.save();
     painter.setRenderHints(QPainter::Antialiasing | QPainter::LosslessImageRendering);  // no JPEG
     painter.translate(page.topLeft());
     painter.scale(scale, scale);
     for (std::size_t i = 0; i < pages.pages().size() && (i == 0 || next()); ++i) {
-        drawFrame(painter, paper, i, pages.pages().size());
+        drawFrame(painter, paper, room, i, pages.pages().size());
         for (const Piece& piece : pages.pages()[i]) {
             pages.draw(painter, piece);
         }
@@ -342,14 +353,20 @@ bool printPaper(const Paper& paper, QPagedPaintDevice& device) {
     const QMarginsF margins = layout.mode() == QPageLayout::FullPageMode
                                   ? QMarginsF()
                                   : layout.margins(QPageLayout::Millimeter);
-    // Letter is shorter than A4, a sheet on its side much more: the page shrinks to it, in the
-    // middle.
-    const double scale = std::min({1.0, sheet.width() / pageWidth, sheet.height() / pageHeight});
-    const QRectF page((sheet.width() - scale * pageWidth) / 2.0 - margins.left(), -margins.top(),
-                      scale * pageWidth, scale * pageHeight);
+    // Letter has pages of its own, but for a sheet to write on, which must be whole. It is shorter
+    // than A4, one on its side much more: the page shrinks to it, in the middle.
+    const bool isLetter = layout.pageSize().id() == QPageSize::Letter &&
+                          layout.orientation() == QPageLayout::Portrait &&
+                          !paper.body.contains(paper::blankLines);
+    const QSizeF laid = isLetter ? sheet.size() : a4;
+    const double scale =
+        std::min({1.0, sheet.width() / laid.width(), sheet.height() / laid.height()});
+    const QRectF page((sheet.width() - scale * laid.width()) / 2.0 - margins.left(), -margins.top(),
+                      scale * laid.width(), scale * laid.height());
     bool isWhole = true;
-    paintPaper(paper, painter, {page.topLeft() * perMillimetre, page.size() * perMillimetre},
-               [&] { return isWhole = isWhole && device.newPage(); });
+    paintPaper(
+        paper, painter, {page.topLeft() * perMillimetre, page.size() * perMillimetre},
+        [&] { return isWhole = isWhole && device.newPage(); }, laid);
     return painter.end() && isWhole;
 }
 

@@ -35,7 +35,7 @@ QString table(const Table& table) {
         html = QStringLiteral("<p class=\"caption\">%1</p>\n").arg(table.caption.toHtmlEscaped());
     }
     html += table.widths.isEmpty()
-                ? QStringLiteral("<div class=\"wide\"><table%1>\n")
+                ? QStringLiteral("<div class=\"wide\"><table width=\"100%\"%1>\n")
                       .arg(table.isSmall ? QStringLiteral(" class=\"small\"") : QString())
                 : QStringLiteral("<div><table width=\"100%\">\n");
     const auto cells = [&](const QString& begin, const QString& end, const QStringList& texts) {

@@ -73,12 +73,16 @@ struct Paper {
     }
 };
 
+inline constexpr QSizeF a4(210.0, 297.0);  ///< mm
+
 /// Paints the pages. Text is text, pictures are vectors.
-/// @param page  the whole of A4 in the painter's units
-/// @param next  begins another page at the same place, or returns false
+/// @param page   the whole sheet in the painter's units
+/// @param next   begins another page at the same place, or returns false
+/// @param sheet  its size, mm
 void paintPaper(const Paper& paper, QPainter& painter, const QRectF& page,
-                const std::function<bool()>& next);
-/// Paints the pages in full size, or as large as the device's paper allows.
+                const std::function<bool()>& next, const QSizeF& sheet = a4);
+/// Paints the pages in full size: on Letter laid out for it, otherwise for A4, or as large as the
+/// device's paper allows.
 /// @return false where the device cannot be painted on
 bool printPaper(const Paper& paper, QPagedPaintDevice& device);
 /// Upright, without margins of the device's own.

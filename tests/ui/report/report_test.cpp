@@ -500,11 +500,11 @@ TEST_F(ReportInWindow, TheProgramSaysWhyItWritesNone) {
 }
 
 /// The text of its pages.
-QStringList pagesOf(Paper report) {
+QStringList pagesOf(Paper report, QPageSize::PageSizeId size = QPageSize::A4) {
     report.pageOf = u"Page %1 of %2"_s;
     QTemporaryDir folder;
     const QString path = folder.filePath(u"report.pdf"_s);
-    test::writeFile(path, paperAsPdf(report, QPageSize(QPageSize::A4)));
+    test::writeFile(path, paperAsPdf(report, QPageSize(size)));
     return said(RAVNOVES_PDFTOTEXT, {path, u"-"_s}).split(u'\f', Qt::SkipEmptyParts);
 }
 
@@ -524,6 +524,17 @@ TEST(ReportPages, WhatIsSaidBeforeAFigureStaysWithIt) {
         }
         EXPECT_TRUE(isSeen) << height;
     }
+}
+
+TEST(ReportPages, LetterHasPagesOfItsOwn) {
+    Paper report;
+    for (int i = 0; i < 200; ++i) {
+        report.say(u"a line"_s);
+    }
+    const auto lines = [&](QPageSize::PageSizeId size) {
+        return pagesOf(report, size).front().count(u"a line"_s);
+    };
+    EXPECT_LT(lines(QPageSize::Letter), lines(QPageSize::A4));
 }
 
 TEST(ReportPages, RowsStayWholeAndHeadsReturn) {
