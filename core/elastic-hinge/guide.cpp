@@ -93,6 +93,16 @@ class BranchScan {
 
 }  // namespace
 
+Message overlap_note(Hinge hinge, const BranchSummary& branch, double roller_radius) {
+    if (!branch.exists || !(roller_radius > branch.min_radius)) {
+        return {};
+    }
+    return {Text::tr("The two rollers overlap (%1): diameter %2, minimum distance of their centres "
+                     "%3. Rollers and spring need separate planes."),
+            name_of(hinge), number(2.0 * roller_radius, units::mm),
+            number(2.0 * branch.min_radius, units::mm)};
+}
+
 double Spring::start_radius(Branch branch) const {
     const bool given = (guide_radius_at_zero < 0.5 * free_length) == (branch == Branch::compressed);
     return given ? guide_radius_at_zero : free_length - guide_radius_at_zero;

@@ -96,6 +96,11 @@ struct BranchSummary {
     double max_pressure_angle = 0.0;  ///< rad
 };
 
+/// Both ends of the spring have a roller, 2ρ apart at every angle. The tracks differ by half a
+/// turn, so they are beside each other and the rollers cannot collide; larger ones than the minimum
+/// ρ leave no room for a spring in their planes. A sentence; empty where the rollers are apart.
+Message overlap_note(Hinge hinge, const BranchSummary& branch, double roller_radius);
+
 /// What waves on a guide's profile do: ε sin(n × polar angle + any phase) added to ρ.
 struct ProfileError {
     double amplitude = 0.0;  ///< ε, m

@@ -110,6 +110,12 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
     if (drawing.roller_radius == 0.0) {
         lines.emplace_back("WARNING: roller radius 0, the profile is the path of the centre");
     }
+    const BranchSummary& summary =
+        drawing.branch == Branch::compressed ? guide.compressed : guide.stretched;
+    if (const Message note = overlap_note(guide.hinge, summary, drawing.roller_radius);
+        !note.empty()) {
+        lines.push_back("WARNING: " + note.english());
+    }
     const double margin = guide.preload - guide.minimum_preload;
     if (guide.minimum_preload > 0.0 && margin < min_preload_margin) {
         lines.push_back("WARNING: the preload exceeds the minimum by only " +

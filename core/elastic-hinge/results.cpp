@@ -332,6 +332,17 @@ Verdict verdict(const Input& input, const Result& result) {
                       Number{margin / units::mm, units::mm, -2},
                       Number{guide.preload / units::mm, units::mm, -2}});
     }
+    if (guide.branch == Branch::compressed) {
+        const double free_length = input.spring->free_length;
+        const double shortest = input.guide_search.value_or(GuideWish{}).shortest(free_length);
+        const double length = 2.0 * guide.compressed.min_radius;
+        if (length < shortest - 1e-9 * free_length) {
+            verdict.warn({Text::tr("The spring is compressed from %1 to %2; minimum length: "
+                                   "%3."),
+                          in_mm(free_length), in_mm(length), in_mm(shortest)});
+        }
+    }
+    verdict.warn(overlap_note(guide.hinge, guide.summary(), input.roller_radius));
     if (input.roller_radius == 0.0) {
         verdict.warn(
             Text::tr("The roller radius is 0: the guide is the path of the roller's "

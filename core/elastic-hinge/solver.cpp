@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
@@ -131,7 +132,7 @@ void find_side_forces(const Input& input, const Design& design, Result& result) 
 }
 
 void add_notes(const Input& input, Result& result) {
-    const auto& guide = result.crank_guide;
+    const Guide& guide = result.crank_guide;
     result.notes = unusual_engine_notes({input.angular_speed,
                                          input.crank_radius,
                                          0.0,  // the ratio is typed itself
@@ -154,6 +155,14 @@ void add_notes(const Input& input, Result& result) {
             Text::tr("Equation (9) as printed has the wrong sign of the counterweight's inertia: "
                      "residual side force up to %1, with Newton–Euler zero."),
             Number{std::round(*result.largest_side_force_true), units::newton});
+    }
+    for (const auto each :
+         {&Result::crank_guide, &Result::crank_guide_with_rod, &Result::rod_guide}) {
+        const Guide& of = result.*each;
+        if (Message note = overlap_note(of.hinge, of.summary(), input.roller_radius);
+            !note.empty()) {
+            result.guide_notes.push_back(std::move(note));
+        }
     }
     if (guide.feasible && guide.relief < 0.1 * units::mm && guide.error.relative > 0.02) {
         result.guide_notes.emplace_back(

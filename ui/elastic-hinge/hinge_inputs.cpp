@@ -260,10 +260,13 @@ void GuideExportForm::showGuide() {
     const bool possible = branch.exists && !branch.undercut;
     dxf_->setEnabled(possible);
     csv_->setEnabled(possible);
-    note_->setText(!branch.exists    ? tr("This guide is not feasible; see the verdict.")
-                   : branch.undercut ? tr("The roller undercuts this guide.")
-                                     : tr("The profile is offset from the path of the roller's "
-                                          "centre by the roller's radius."));
+    const Message overlap =
+        elastic_hinge::overlap_note(guide.hinge, branch, model_->input().roller_radius);
+    note_->setText(!branch.exists     ? tr("This guide is not feasible; see the verdict.")
+                   : branch.undercut  ? tr("The roller undercuts this guide.")
+                   : !overlap.empty() ? messageText(overlap)
+                                      : tr("The profile is offset from the path of the roller's "
+                                           "centre by the roller's radius."));
 }
 
 void GuideExportForm::ask(const QString& suffix) {

@@ -1,8 +1,13 @@
 #include "elastic-hinge/guide.h"
 
+#include <algorithm>
 #include <boost/numeric/odeint.hpp>
+#include <optional>
+#include <tuple>
 
+#include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/presets.h"
+#include "elastic-hinge/results.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -40,8 +45,8 @@ TEST(ElasticHingeGuide, SpringAndMechanismKeepTheirEnergyOnBothBranches) {
             const double total = test::energy_in(shape, shape.at(branch, 0.0).radius);
             for (int i = 0; i < 360; ++i) {
                 const double phi = i * degree;
-                const double sum =
-                    test::energy_in(shape, shape.at(branch, phi).radius) + energy_at(*result.design, phi);
+                const double sum = test::energy_in(shape, shape.at(branch, phi).radius) +
+                                   energy_at(*result.design, phi);
                 EXPECT_NEAR(sum, total, 1e-13 * total);
             }
         }
@@ -263,6 +268,68 @@ TEST(ElasticHingeGuide, LargestRollerIsTheOneAtWhichTheProfileStartsToRunBackwar
     EXPECT_TRUE(solve(input).crank_guide.compressed.undercut);
     input.roller_radius = 0.99 * *guide.compressed.largest_roller_radius;
     EXPECT_FALSE(solve(input).crank_guide.compressed.undercut);
+}
+
+// The rollers of both ends of a spring are 2ρ apart.
+TEST(ElasticHingeGuide, RollersThatOverlapAreDoubted) {
+    Input input = preset_zotov();
+    input.spring = Spring{2e5, 0.2, 0.0498};
+    const Result smooth = solve(input);
+    struct Row {
+        const Guide Result::*guide;
+        const char* name;
+    };
+    for (const auto& [guide, name] :
+         {Row{&Result::crank_guide, "(the crank's hinge)"},
+          Row{&Result::crank_guide_with_rod, "(the crank's hinge with the rod's hinge)"},
+          Row{&Result::rod_guide, "(the rod's hinge)"}}) {
+        const double touching = (smooth.*guide).compressed.min_radius;
+        for (const double share : {1.0 - 1e-9, 1.0 + 1e-9, 1.2}) {
+            input.roller_radius = share * touching;
+            const Result result = solve(input);
+            EXPECT_TRUE((result.*guide).feasible);
+            EXPECT_FALSE((result.*guide).summary().undercut);
+            const bool told = std::any_of(result.guide_notes.begin(), result.guide_notes.end(),
+                                          [name = name](const Message& note) {
+                                              return note.english().find(name) != std::string::npos;
+                                          });
+            EXPECT_EQ(told, share > 1.0) << name << share;
+            if (guide == &Result::crank_guide) {
+                EXPECT_EQ(verdict(input, result).severity,
+                          share > 1.0 ? Severity::warning : Severity::good);
+            }
+        }
+    }
+    input.roller_radius = 0.06;
+    const Result result = solve(input);
+    EXPECT_NE(
+        verdict(input, result)
+            .text.english()
+            .find("overlap (the crank's hinge): diameter 120 mm, minimum distance of their centres "
+                  "99.5999 mm"),
+        std::string::npos)
+        << verdict(input, result).text.english();
+    GuideDrawing drawing;
+    drawing.roller_radius = input.roller_radius;
+    EXPECT_NE(guide_dxf(result.crank_guide, drawing).find("WARNING: The two rollers overlap"),
+              std::string::npos);
+}
+
+TEST(ElasticHingeGuide, SpringsThatBecomeTooShortAreDoubted) {
+    Input input = preset_zotov();
+    input.roller_radius = 0.001;
+    for (const auto& [radius, shortest, doubted] :
+         {std::tuple(0.005, std::optional<double>(), true),
+          std::tuple(0.0405, std::optional<double>(), false),
+          std::tuple(0.005, std::optional(0.009), false),
+          std::tuple(0.06, std::optional(0.121), true)}) {
+        input.spring = Spring{2e5, 0.2, radius};
+        input.guide_search = GuideWish{};
+        input.guide_search->smallest_spring_length = shortest;
+        EXPECT_EQ(verdict(input, solve(input)).severity,
+                  doubted ? Severity::warning : Severity::good)
+            << radius;
+    }
 }
 
 // What a designer reads must not depend on where samples fall.
