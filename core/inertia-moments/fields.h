@@ -63,8 +63,8 @@ inline constexpr Field strokes{
     .words = stroke_words};
 inline constexpr Field reference_position{
     .key = "reference_position_mm",
-    .label = Text::tr("Centre of mass &z"),
-    .symbol = "z",
+    .label = Text::tr("Centre of mass &z₀"),
+    .symbol = "z₀",
     .hint =
         Text::tr("Axial position of the reference point of moments, positive towards cylinder 1.")};
 inline constexpr Field step{

@@ -12,6 +12,21 @@ namespace {
 
 constexpr double usual_step = 1.0 * degree;
 
+/// A rod's mass is between its bearings or little beyond them.
+void doubt_rod(const RigidRod& rod, double length, std::vector<Message>& doubts) {
+    if (rod.centre_from_big_end < 0.0 || rod.centre_from_big_end > length) {
+        doubts.emplace_back(Text::tr("The rod's centre of mass, %1 from the big end, is outside "
+                                     "the rod of %2: check it."),
+                            in_mm(rod.centre_from_big_end), in_mm(length));
+    }
+    const double gyration = std::sqrt(rod.inertia / rod.mass);
+    if (gyration > length) {
+        doubts.emplace_back(Text::tr("The rod's inertia is implausible: radius of gyration %1, "
+                                     "rod %2. Check its unit."),
+                            in_mm(gyration), in_mm(length));
+    }
+}
+
 /// Adds the constant-speed parts (forward order 1) and the shafts to curves of the reciprocating
 /// parts: less work than a sum over all orders, and exact.
 WrenchCurves balanced_curves(const WrenchCurves& curves, const EngineOrders& orders,
@@ -92,6 +107,9 @@ Result solve(const Input& input, bool with_curves) {
          input.crank_radius,
          input.rod_length(),
          {input.reciprocating_mass, input.rotating_mass, input.rod ? input.rod->mass : 0.0}});
+    if (input.rod) {
+        doubt_rod(*input.rod, input.rod_length(), doubts);
+    }
     if (const Message note = unusual_rod_note(engine.cylinders, input.rod_length());
         !note.empty()) {
         result.notes.push_back(note);

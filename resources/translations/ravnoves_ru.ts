@@ -6038,8 +6038,8 @@
         <translation>Вра&amp;щающаяся масса</translation>
     </message>
     <message>
-        <source>Centre of mass &amp;z</source>
-        <translation>&amp;Центр масс z</translation>
+        <source>Centre of mass &amp;z₀</source>
+        <translation>&amp;Центр масс z₀</translation>
     </message>
     <message>
         <source>&amp;Firing order</source>
@@ -6996,6 +6996,14 @@
     <message>
         <source>zᵢ place of cylinder i along the crank, z₀ reference point of moments</source>
         <translation>zᵢ — место цилиндра i вдоль вала, z₀ — точка отсчёта моментов</translation>
+    </message>
+    <message>
+        <source>The rod&apos;s centre of mass, %1 from the big end, is outside the rod of %2: check it.</source>
+        <translation>Центр масс шатуна в %1 от нижней головки — вне шатуна длиной %2: проверьте.</translation>
+    </message>
+    <message>
+        <source>The rod&apos;s inertia is implausible: radius of gyration %1, rod %2. Check its unit.</source>
+        <translation>Момент инерции шатуна неправдоподобен: радиус инерции %1, шатун %2. Проверьте единицу.</translation>
     </message>
     <message>
         <source>difference of its inertia from two masses; acts on roll moment and torque</source>
@@ -12592,6 +12600,10 @@ but no position is feasible</source>
         <translation>M, Н·м</translation>
     </message>
     <message>
+        <source>M about z₀, N·m</source>
+        <translation>M относительно z₀, Н·м</translation>
+    </message>
+    <message>
         <source>Vertical plane, the paper&apos;s formulas (1) and (2), Fig. 6</source>
         <translation>Вертикальная плоскость, формулы статьи (1) и (2), рис. 6</translation>
     </message>
@@ -12620,8 +12632,8 @@ but no position is feasible</source>
         <translation>Силы</translation>
     </message>
     <message>
-        <source>Moments</source>
-        <translation>Моменты</translation>
+        <source>Moments about z₀</source>
+        <translation>Моменты относительно z₀</translation>
     </message>
     <message>
         <source>Fx, N</source>
@@ -12997,6 +13009,10 @@ but no position is feasible</source>
     <message>
         <source>Moment in the vertical plane, Σ Fy (z − z₀)</source>
         <translation>Момент в вертикальной плоскости, Σ Fy (z − z₀)</translation>
+    </message>
+    <message>
+        <source>%1 about z₀</source>
+        <translation>%1 отн. z₀</translation>
     </message>
     <message>
         <source>Roll moment on the engine, of offsets, rods and the reaction of the torque</source>

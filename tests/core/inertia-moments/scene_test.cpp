@@ -264,5 +264,21 @@ TEST(CaseIo, AnEmptyFieldStandsForWhatTheHelpSays) {
     }
 }
 
+TEST(InertiaMomentsVerdict, DoubtsARodOfNoMechanism) {
+    Input input = read_input(vr5_json());
+    const struct {
+        RigidRod rod;
+        const char* doubt;
+    } rods[] = {{{1.0, 0.05, 0.004}, ""},
+                {{1.0, 0.2, 0.0}, "200 mm from the big end"},
+                {{1.0, 0.05, 1000.0}, "inertia is implausible"}};
+    for (const auto& [rod, doubt] : rods) {
+        input.rod = rod;
+        const Verdict said = verdict(input, solve(input));
+        EXPECT_EQ(said.severity, *doubt == 0 ? Severity::note : Severity::warning);
+        EXPECT_NE(said.text.english().find(doubt), std::string::npos) << said.text.english();
+    }
+}
+
 }  // namespace
 }  // namespace ravnoves::inertia_moments

@@ -302,6 +302,10 @@ TEST(InertiaMomentsModel, EveryTableHasNumbersAndRoundingIsZero) {
             // Of the tables this one alone is not about z₀.
             EXPECT_EQ(model.weightResults().rows[1].value(0).text,
                       QStringLiteral("Moment about zₘ, N·m"));
+            for (const Results& table : {model.orderResults(), model.rotatingResults(),
+                                         model.shaftResults(), model.remainingResults()}) {
+                EXPECT_EQ(table.columns[0].heading, QStringLiteral("N; N·m about z₀"));
+            }
             for (const auto& rows : {model.orderResults().rows, model.rotatingResults().rows,
                                      model.shaftResults().rows, model.weightResults().rows,
                                      model.remainingResults().rows}) {

@@ -100,7 +100,7 @@ Figure overCycle(const QString& title, const QString& left) {
 }
 
 QString unitTitle(bool force) {
-    return force ? EnginePlots::tr("F, N") : EnginePlots::tr("M, N·m");
+    return force ? EnginePlots::tr("F, N") : EnginePlots::tr("M about z₀, N·m");
 }
 
 /// Both components of a vector over φ, exact and two-term, and what balancing leaves of it; empty
@@ -247,7 +247,7 @@ template <bool force>
 Figure hodograph(const InertiaMomentsModel& model) {
     const Result& result = model.result();
     Figure figure;
-    figure.title = force ? EnginePlots::tr("Forces") : EnginePlots::tr("Moments");
+    figure.title = force ? EnginePlots::tr("Forces") : EnginePlots::tr("Moments about z₀");
     figure.equalScale = true;
     std::pair<double, double> x;
     std::pair<double, double> y;
@@ -331,7 +331,8 @@ Figure byOrder(const InertiaMomentsModel& model) {
                                           : EnginePlots::tr("Roll moment by order");
     const auto orders = static_cast<double>(result.unbalanced.orders.size());
     figure.x = {.title = EnginePlots::tr("order k"), .min = 0.5, .max = orders + 0.5};
-    figure.left = {.title = unitTitle(kind == Kind::Force)};
+    figure.left = {.title = kind == Kind::Roll ? EnginePlots::tr("M, N·m")
+                                               : unitTitle(kind == Kind::Force)};
     constexpr int kinds = 3;
     const auto add = [&](const char* id, const QString& name, Role role, const EngineOrders& of) {
         const double width = 0.9 / kinds;

@@ -49,7 +49,8 @@ ResultCell figure(double si, const Unit& unit) {
 }
 
 QString forceAndMoment() {
-    return shownUnit(units::newton).name + QStringLiteral("; ") + shownUnit(units::N_m).name;
+    return shownUnit(units::newton).name + QStringLiteral("; ") +
+           InertiaMomentsModel::tr("%1 about z₀").arg(shownUnit(units::N_m).name);
 }
 
 /// The same, and 0 where it is nothing but rounding beside its scale.
