@@ -127,7 +127,8 @@ QStringList unitsOf(const QVector<QStringList>& table, qsizetype row, qsizetype 
         }
     }
     const QString unit = unitOfTitle(headings[0]);
-    return unit.isEmpty() ? headings[0].split(u"; "_s) : QStringList{unit};
+    return unit.isEmpty() ? QString(headings[0]).remove(u" about z₀"_s).split(u"; "_s)
+                          : QStringList{unit};
 }
 
 void compare(const QVector<QStringList>& own, const QVector<QStringList>& other, int& converted) {
