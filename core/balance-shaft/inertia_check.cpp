@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "balance-shaft/input.h"
+#include "balance-shaft/result.h"
 #include "case-file/decimal.h"
 #include "numerics/angle.h"
 #include "numerics/slider_crank.h"
@@ -219,7 +220,6 @@ InertiaCheck check_inertia(const Input& input) {
             Number{rounded_to_digits(input.crank_radius / fit.lambda / units::mm, 3), units::mm}};
         return check;
     }
-    const auto percent = [](double part) { return Number{100.0 * part, units::percent, -1}; };
     const Number fitting_speed{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm};
     const Number fitting_mass{rounded_to_digits(check.matching_mass, 3), units::kg};
     const double difference = std::abs(ratio - 1.0);
@@ -243,13 +243,13 @@ InertiaCheck check_inertia(const Input& input) {
             fitting_mass};
     } else if (difference > doubt) {
         check.warning = {Text::tr("Torque and masses differ by %1: the torque fits %2 or %3."),
-                         percent(difference), fitting_speed, fitting_mass};
+                         in_percent(difference), fitting_speed, fitting_mass};
         check.text = {
             Text::tr("Torque and masses differ by %1, more than the uncertainty of the check, %2: "
                      "mⱼ r² ω² is %3 in the torque (r/L = %4), %5 by the input; the torque fits "
                      "%6 or %7."),
-            percent(difference),
-            percent(doubt),
+            in_percent(difference),
+            in_percent(doubt),
             moment(fit.scale),
             number(fit.lambda),
             moment(check.entered),
@@ -262,7 +262,7 @@ InertiaCheck check_inertia(const Input& input) {
             moment(fit.scale),
             number(fit.lambda),
             moment(check.entered),
-            percent(difference),
+            in_percent(difference),
             Number{100.0 * InertiaCheck::tolerance, units::percent, 2}};
     }
     return check;

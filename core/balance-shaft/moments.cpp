@@ -149,8 +149,8 @@ void Moments::move_shaft(double alpha, Result& result) const {
     result.M_s = metrics_of_sine(forces.moment_amplitude, alpha + phase);
     result.M_ups = metrics_of(plane, shaft_moment(alpha));
     if (result.order_1_share) {
-        result.range_change = result.M_ups.range / result.M_up.range - 1.0;
-        result.rms_change = result.M_ups.rms / result.M_up.rms - 1.0;
+        result.range_change = relative_change(result.M_up.range, result.M_ups.range);
+        result.rms_change = relative_change(result.M_up.rms, result.M_ups.rms);
     }
 }
 

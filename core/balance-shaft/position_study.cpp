@@ -151,11 +151,10 @@ int sign_as_shown(double change) {
 
 Message trade_off(const PositionCriteria& from, const PositionCriteria& to) {
     const auto part = [](double before, double after, Text smaller, Text larger, Text same) {
-        const double change = before > 0.0 ? after / before - 1.0 : 0.0;
+        const double change = before > 0.0 ? relative_change(before, after) : 0.0;
         const int sign = sign_as_shown(change);
         return sign == 0 ? Message(same)
-                         : Message(sign > 0 ? larger : smaller,
-                                   Number{100.0 * std::abs(change), units::percent, -1});
+                         : Message(sign > 0 ? larger : smaller, in_percent(std::abs(change)));
     };
     const Message moments = joined(part(from.range, to.range, Text::tr("range %1 smaller"),
                                         Text::tr("range %1 larger"), Text::tr("range unchanged")),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,6 +13,16 @@
 #include "case-file/message.h"
 
 namespace ravnoves::balance_shaft {
+
+/// The change from one value to another as a fraction of its size: −0.1 is 10 % less.
+inline double relative_change(double from, double to) {
+    return to / std::abs(from) - std::copysign(1.0, from);
+}
+
+/// A change or share as messages show it.
+inline Number in_percent(double share) {
+    return {share / units::percent, units::percent, -1};
+}
 
 /// Criteria of one moment over the continuous cycle (not over its samples).
 struct MomentMetrics {

@@ -554,9 +554,7 @@ bool is_useless_for_range(const Result& result) {
 
 /// Of the shaft alone, without warnings about the input.
 Verdict shaft_verdict(const Result& result) {
-    const auto percent = [](double share) {
-        return Number{100.0 * std::abs(share), units::percent, -1};
-    };
+    const auto percent = [](double share) { return in_percent(std::abs(share)); };
     const std::string_view best =
         !result.buildable.stretches.empty() && result.best_range_buildable.shaft_angle
             ? (is_useless_for_range(result) ? best_place_act : best_range_act)

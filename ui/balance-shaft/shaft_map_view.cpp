@@ -209,9 +209,10 @@ void ShaftMapView::pickSize(double size, double change) {
     }
     const balance_shaft::BestPosition& nearest =
         map->front[nearestPoint(*sizes_, "front", size, change)];
-    const QPointF away = sizes_->toPixel(nearest.criteria.size / units::cm2,
-                                         100.0 * map_->change(nearest.criteria).value_or(0.0)) -
-                         sizes_->toPixel(size, change);
+    const QPointF away =
+        sizes_->toPixel(nearest.criteria.size / units::cm2,
+                        map_->change(nearest.criteria).value_or(0.0) / units::percent) -
+        sizes_->toPixel(size, change);
     constexpr double reach = 40.0;  // pixels
     if (std::hypot(away.x(), away.y()) <= reach) {
         map_->moveTo(map_->shortened(nearest.position, map_->criterion()));

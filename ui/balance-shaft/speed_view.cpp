@@ -108,7 +108,7 @@ QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {
     return tr("α %1°, n %2: %3")
         .arg(fixedNumber(angleDeg, 1, locale), shownNumber(speed * units::rpm, units::rpm, 0),
              (change > 0.0 ? tr("%1 % worse") : tr("%1 % better"))
-                 .arg(fixedNumber(100.0 * std::abs(change), 1, locale)));
+                 .arg(fixedNumber(std::abs(change) / units::percent, 1, locale)));
 }
 
 bool SpeedMapPlot::event(QEvent* event) {

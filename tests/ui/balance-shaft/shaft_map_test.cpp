@@ -20,6 +20,8 @@
 #include "numerics/constants.h"
 #include "page_fixture.h"
 #include "pictures/model/stroke.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 namespace {
@@ -307,6 +309,16 @@ TEST_F(ShaftMapTest, AClickInTheChartGoesToItsPlace) {
                 0.02);
     EXPECT_TRUE(model->result().is_buildable);
     EXPECT_EQ(model->history()->count(), 1);
+}
+
+// As parts of one, they are rounded once.
+TEST(ShaftMapText, APercentageReadsTheSameWhereverItIs) {
+    for (int i = 1; i < 2000; ++i) {
+        const double value = 1.0 + (i + 0.5) * 1e-3;
+        const QString text = messageText(balance_shaft::trade_off({1.0, 1.0}, {value, 1.0}));
+        const QString percent = percentText(balance_shaft::relative_change(1.0, value));
+        EXPECT_EQ(text, QStringLiteral("range %1 larger, RMS unchanged").arg(percent));
+    }
 }
 
 TEST_F(ShaftMapTest, ResultsFoldByTheWidthAloneNotByTheOneBefore) {

@@ -294,10 +294,10 @@ Results BalanceShaftModel::criteria() const {
         if (std::abs(without) <= rounding * scale) {
             return std::nullopt;
         }
-        return (with - without) / std::abs(without);
+        return balance_shaft::relative_change(without, with);
     };
     const auto percent = [](const std::optional<double>& fraction) {
-        return fraction ? ResultCell(100.0 * *fraction, signedPercentText(*fraction),
+        return fraction ? ResultCell(*fraction / units::percent, signedPercentText(*fraction),
                                      ResultCell::Kind::Change)
                         : ResultCell(QStringLiteral("–"));
     };
@@ -358,7 +358,7 @@ Results BalanceShaftModel::quantities() const {
         shownRow(key::shaft_bearing_load, result().counterweight_force),
         shownRow(key::moment_amplitude, result().moment_amplitude),
         {{tr("First order's share of Mᵤₚ"),
-          share ? ResultCell(100.0 * *share, number(100.0 * *share, 1))
+          share ? ResultCell(*share / units::percent, number(*share / units::percent, 1))
                 : ResultCell(QStringLiteral("–")),
           QStringLiteral("%")},
          tr("Share of the mean square about the mean; only this share can be changed by a shaft at "

@@ -62,7 +62,9 @@ Figure front(const BalanceShaftModel& model) {
     if (mapOf(model) == nullptr || !places->change({})) {
         return figure;
     }
-    const auto change = [&](const ShaftMap::Criteria& of) { return 100.0 * *places->change(of); };
+    const auto change = [&](const ShaftMap::Criteria& of) {
+        return *places->change(of) / units::percent;
+    };
     Figure::Curve all;
     Figure::Curve efficient;
     std::vector<ShaftMap::Position> positions;

@@ -163,8 +163,8 @@ std::optional<double> ShaftMapModel::change(const Criteria& criteria) const {
     if (!map_ || !(map_->study.range_without() > 0.0 && map_->study.rms_without() > 0.0)) {
         return std::nullopt;
     }
-    return byRange() ? criteria.range / map_->study.range_without() - 1.0
-                     : criteria.rms / map_->study.rms_without() - 1.0;
+    return byRange() ? balance_shaft::relative_change(map_->study.range_without(), criteria.range)
+                     : balance_shaft::relative_change(map_->study.rms_without(), criteria.rms);
 }
 
 void ShaftMapModel::showCriterion() {

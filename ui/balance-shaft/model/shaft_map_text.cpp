@@ -106,9 +106,11 @@ QStringList placeLines(const ShaftMapModel& map, const Position& position, int d
     const Criteria criteria = study.at(position);
     const auto withChange = [&](const QString& text, double with, double without) {
         const QString value = text.arg(newtonMetres(with));
-        return without > 0.0 ? value + QStringLiteral(" (") +
-                                   signedPercentText(with / without - 1.0) + QLatin1Char(')')
-                             : value;
+        return without > 0.0
+                   ? value + QStringLiteral(" (") +
+                         signedPercentText(balance_shaft::relative_change(without, with)) +
+                         QLatin1Char(')')
+                   : value;
     };
     return {ShaftMapModel::tr("l %1, α %2°")
                 .arg(mm(position.centre_distance(), decimals),

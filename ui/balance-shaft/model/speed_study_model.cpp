@@ -147,9 +147,9 @@ QString SpeedStudyModel::answer() const {
     } else if (best.value > ofAll.value + 5e-4) {
         other = tr(" %1° would gain %2 % more but does not fit.")
                     .arg(fixedNumber(ofAll.shaft_angle / degree, 1, locale),
-                         fixedNumber(100.0 * (best.value - ofAll.value), 1, locale));
+                         fixedNumber((best.value - ofAll.value) / units::percent, 1, locale));
     }
-    const double change = 100.0 * (best.value - 1.0);
+    const double change = (best.value - 1.0) / units::percent;
     return tr("Best compromise α over the band, by %1 vs. no shaft: %2°. At the worst speed, %3, "
               "the %1 is %4 % %5.")
                .arg(byRange() ? tr("range") : tr("RMS"),
