@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "balance-shaft/fields.h"
 #include "balance-shaft/shaft_places.h"
 #include "numerics/angle.h"
 
@@ -29,6 +30,108 @@ double margin_within(const PlaceLimits& limits, double x, double y) {
         margin = std::min(margin, l * (half - away));
     }
     return margin;
+}
+
+namespace {
+
+bool leave_no_place(const PlaceLimits& limits) {
+    double size = limits.centre_distance_min.value_or(0.0);
+    for (const auto& limit :
+         {limits.centre_distance_max, limits.left, limits.right, limits.bottom, limits.top}) {
+        size = std::max(size, std::abs(limit.value_or(0.0)));
+    }
+    const double rounding = 1e-9 * size;
+    const double reach = 1e3 * (size + 1.0);
+    const Eigen::Vector2d low(limits.left.value_or(-reach), limits.bottom.value_or(-reach));
+    const Eigen::Vector2d high(limits.right.value_or(reach), limits.top.value_or(reach));
+    const double from = limits.shaft_angle_from.value_or(0.0);
+    const double span = limits.shaft_angle_to.value_or(two_pi) - from;
+    const int sectors = span < two_pi ? (span > pi ? 2 : 1) : 0;  // each is convex
+    for (int i = 0; i < std::max(sectors, 1); ++i) {
+        PlacePolygon part({(low + high) / 2.0, (high - low) / 2.0});
+        if (sectors > 0) {
+            const double start = from + i * span / sectors;
+            const double end = start + span / sectors;
+            part.cut({{std::cos(start), -std::sin(start)}, -rounding});
+            part.cut({{-std::cos(end), std::sin(end)}, -rounding});
+        }
+        const bool has_crank = low.maxCoeff() <= 0.0 && high.minCoeff() >= 0.0;
+        double nearest = has_crank ? 0.0 : std::numeric_limits<double>::infinity();
+        double farthest = -1.0;
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            const Eigen::Vector2d& corner = part[k];
+            const Eigen::Vector2d side = part[(k + 1) % part.size()] - corner;
+            const double along = -corner.dot(side) / std::max(side.squaredNorm(), 1e-300);
+            nearest = std::min(nearest, (corner + std::clamp(along, 0.0, 1.0) * side).norm());
+            farthest = std::max(farthest, corner.norm());
+        }
+        if (farthest >= limits.centre_distance_min.value_or(0.0) - rounding &&
+            nearest <= limits.centre_distance_max.value_or(nearest) + rounding) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// As few of them as leave no place, which all do.
+PlaceLimits needed_to_contradict(PlaceLimits limits) {
+    const auto leave_out = [&](auto... members) {
+        PlaceLimits others = limits;
+        ((others.*members).reset(), ...);
+        if (leave_no_place(others)) {
+            limits = others;
+        }
+    };
+    leave_out(&PlaceLimits::centre_distance_min);
+    leave_out(&PlaceLimits::centre_distance_max);
+    leave_out(&PlaceLimits::shaft_angle_from, &PlaceLimits::shaft_angle_to);
+    leave_out(&PlaceLimits::left);
+    leave_out(&PlaceLimits::right);
+    leave_out(&PlaceLimits::bottom);
+    leave_out(&PlaceLimits::top);
+    return limits;
+}
+
+/// "Minimum x 80 mm, Maximum l 70 mm".
+Message named(const PlaceLimits& limits) {
+    Message names;
+    const auto add = [&](const Field& field, const std::optional<double>& limit) {
+        if (limit) {
+            const Message name(Text{"%1 %2"}, field.label,
+                               Number{from_si(field, *limit), field.unit, 6});
+            names = names.empty() ? name : joined(names, name);
+        }
+    };
+    add(field::centre_distance_min, limits.centre_distance_min);
+    add(field::centre_distance_max, limits.centre_distance_max);
+    add(field::shaft_angle_from, limits.shaft_angle_from);
+    add(field::shaft_angle_to, limits.shaft_angle_to);
+    add(field::place_left, limits.left);
+    add(field::place_right, limits.right);
+    add(field::place_bottom, limits.bottom);
+    add(field::place_top, limits.top);
+    return names;
+}
+
+/// Why no angle at a centre distance is within the limits; empty where one is.
+Message contradiction_at(double distance, PlaceLimits limits) {
+    limits.centre_distance_min = limits.centre_distance_max = distance;
+    if (!leave_no_place(limits)) {
+        return {};
+    }
+    limits = needed_to_contradict(limits);
+    limits.centre_distance_min.reset();
+    limits.centre_distance_max.reset();
+    return {Text::tr("At the centre distance %1 no angle is within the limits: %2."),
+            in_mm(distance), named(limits)};
+}
+
+}  // namespace
+
+Message contradiction(const PlaceLimits& limits) {
+    return leave_no_place(limits) ? Message(Text::tr("The limits contradict each other: %1."),
+                                            named(needed_to_contradict(limits)))
+                                  : Message();
 }
 
 double distance_from_cylinder(const FrontView& view, double x, double y) {
@@ -173,6 +276,9 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
     others.centre_distance_max.reset();
     answer.stretches = clear_angles(ShaftPlaces(view, others), distance);
     if (answer.stretches.empty()) {
+        answer.reason = contradiction_at(distance, limits);
+    }
+    if (answer.stretches.empty() && answer.reason.empty()) {
         answer.reason =
             clear_angles(ShaftPlaces(view, {}), distance).empty()
                 ? Message(Text::tr("At every angle the shaft's swing circle (radius %1, clearance "

@@ -28,6 +28,10 @@ ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle);
 /// How far a place of the shaft's axis may move and stay within the limits, m; negative outside.
 double margin_within(const PlaceLimits& limits, double x, double y);
 
+/// A sentence that names limits that contradict each other: no place is within all of them. Empty
+/// where some place is.
+Message contradiction(const PlaceLimits& limits);
+
 /// The feasible angles of the shaft: every clearance is at least the view's, the gears mesh (the
 /// tip circle reaches the pitch circle, and not the other gear's root circle, 1.25 modules below
 /// its pitch circle), and the axis is within its limits.

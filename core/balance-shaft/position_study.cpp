@@ -183,8 +183,12 @@ BestPositions PositionStudy::best_buildable() const {
     answer.rms = best_built(0.0, *answer.rms);
     if (!answer.range || !answer.rms) {
         answer = {};
-        answer.reason = Text::tr(
-            "No place within the limits clears crank, cylinder and rod with the gears in mesh.");
+        answer.reason = contradiction(solver_.input().place_limits);
+        if (answer.reason.empty()) {
+            answer.reason = Text::tr(
+                "No place within the limits clears crank, cylinder and rod with the gears in "
+                "mesh.");
+        }
     }
     return answer;
 }
@@ -270,7 +274,8 @@ std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const 
                           {level, found->value, found->place});
         }
     }
-    // What another beats, or equals within rounding, is left out.
+    // What another beats, or equals within rounding, is left out; no shaft, of no size, beats
+    // some.
     std::stable_sort(front.begin(), front.end(), [](const auto& a, const auto& b) {
         return a.criteria.size < b.criteria.size;
     });

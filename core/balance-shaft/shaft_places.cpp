@@ -113,6 +113,10 @@ double ShaftPlaces::spare(double x, double y) const {
 }
 
 Message ShaftPlaces::reason(Obstacle obstacle, double l) const {
+    if (Message none = obstacle != Obstacle::none ? contradiction(limits_) : Message();
+        !none.empty()) {
+        return none;
+    }
     const Number swing = in_mm(view_.shaft_swing_radius);
     const Number gap = in_mm(view_.clearance);
     switch (obstacle) {

@@ -10445,6 +10445,14 @@
         <source>Factor of the oil mass in the bob weight; 1 if its centre is on the crankpin&apos;s axis.</source>
         <translation>Множитель массы масла в балансировочном грузе; 1, если её центр на оси шейки.</translation>
     </message>
+    <message>
+        <source>The limits contradict each other: %1.</source>
+        <translation>Пределы противоречат друг другу: %1.</translation>
+    </message>
+    <message>
+        <source>At the centre distance %1 no angle is within the limits: %2.</source>
+        <translation>При межосевом расстоянии %1 ни один угол не укладывается в пределы: %2.</translation>
+    </message>
 </context>
 <context>
     <name>V8</name>

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/speed_study.h"
@@ -227,7 +228,17 @@ TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
         {"Centre distance 100.2 mm is above the maximum of 95 mm.",
          [](Input& i) { i.place_limits.centre_distance_max = 0.095; }},
         {"At the centre distance 100.2 mm no angle within the limits clears cylinder and rod.",
-         [](Input& i) { i.place_limits.left = 0.11; }}};
+         [](Input& i) {
+             i.place_limits.left = -0.02;
+             i.place_limits.right = 0.02;
+             i.place_limits.bottom = 0.0;
+         }},
+        {"At the centre distance 100.2 mm no angle is within the limits: Minimum x 110 mm.",
+         [](Input& i) { i.place_limits.left = 0.11; }},
+        {"The limits contradict each other: Maximum l 90 mm, Minimum x 110 mm.", [](Input& i) {
+             i.place_limits.centre_distance_max = 0.09;
+             i.place_limits.left = 0.11;
+         }}};
     for (const auto& [reason, change] : cases) {
         Input input = preset_tmz_650d();
         change(input);
@@ -240,6 +251,73 @@ TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
         const std::string said = json.at("optimum_buildable").at("reason").get<std::string>();
         EXPECT_TRUE(said.starts_with(reason)) << said;
     }
+}
+
+TEST(PlaceLimitsTest, LimitsThatContradictEachOtherAreNamed) {
+    const std::pair<PlaceLimits, std::string> cases[] = {
+        {{}, ""},
+        {{.centre_distance_max = 0.1, .left = 0.1}, ""},  // they touch
+        {{.centre_distance_min = 0.05, .left = -0.1, .right = 0.0}, ""},
+        {{.shaft_angle_from = 10 * degree, .shaft_angle_to = 200 * degree, .right = -0.05}, ""},
+        {{.centre_distance_max = 0.1, .left = 0.2, .top = 0.1},
+         "Maximum l 100 mm, Minimum x 200 mm"},
+        {{.centre_distance_max = 0.1, .left = 0.08, .bottom = 0.08},
+         "Maximum l 100 mm, Minimum x 80 mm, Minimum y 80 mm"},
+        {{.centre_distance_min = 0.1, .left = -0.02, .right = 0.02, .bottom = -0.03, .top = 0.03},
+         "Minimum l 100 mm, Minimum x -20 mm, Maximum x 20 mm, Minimum y -30 mm, Maximum y 30 mm"},
+        {{.shaft_angle_from = 10 * degree, .shaft_angle_to = 170 * degree, .right = -0.05},
+         "α from 10°, α to 170°, Maximum x -50 mm"},
+        {{.shaft_angle_to = 90 * degree, .right = -0.01}, "α to 90°, Maximum x -10 mm"},
+        {{.shaft_angle_from = -100 * degree, .shaft_angle_to = 100 * degree, .top = -0.05}, ""},
+        {{.centre_distance_max = 0.2,
+          .shaft_angle_from = -100 * degree,
+          .shaft_angle_to = 100 * degree,
+          .top = -0.05},
+         "Maximum l 200 mm, α from -100°, α to 100°, Maximum y -50 mm"}};
+    Input input = preset_tmz_650d();
+    for (const auto& [limits, names] : cases) {
+        const std::string said =
+            names.empty() ? names : "The limits contradict each other: " + names + ".";
+        EXPECT_EQ(contradiction(limits).english(), said);
+        if (!said.empty()) {
+            input.place_limits = limits;
+            const PositionStudy study{Solver(input)};
+            EXPECT_EQ(study.best_buildable().reason.english(), said);
+            EXPECT_EQ(study.obstacle_reason({0.01, 0.0}).english(), said);  // at the crank
+        }
+    }
+}
+
+// No limits that some place keeps contradict each other.
+TEST(PlaceLimitsTest, APlaceWithinAllLimitsRulesOutAContradiction) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> at(-0.2, 0.2);
+    std::uniform_real_distribution<double> turn(-pi, pi);
+    int contradict = 0;
+    for (int i = 0; i < 400; ++i) {
+        PlaceLimits limits;
+        const auto pair = [&](auto& from, auto& to, double a, double b) {
+            if (random() % 3 != 0) {
+                from = std::min(a, b);
+                to = std::max(a, b);
+            }
+        };
+        pair(limits.centre_distance_min, limits.centre_distance_max, std::abs(at(random)),
+             std::abs(at(random)));
+        pair(limits.shaft_angle_from, limits.shaft_angle_to, turn(random), turn(random));
+        pair(limits.left, limits.right, at(random), at(random));
+        pair(limits.bottom, limits.top, at(random), at(random));
+        double margin = -1.0;
+        constexpr int steps = 120;
+        for (int k = 0; k < steps * steps; ++k) {
+            margin = std::max(margin, margin_within(limits, -0.3 + 0.005 * (k % steps),
+                                                    -0.3 + 0.005 * (k / steps)));
+        }
+        const bool is_said = !contradiction(limits).empty();
+        contradict += is_said ? 1 : 0;
+        EXPECT_TRUE(is_said ? margin < 0.0 : margin > -0.01) << i;
+    }
+    EXPECT_GT(contradict, 20);
 }
 
 TEST(BuildableAnglesTest, GapsAreAllThatCannotBeBuilt) {
