@@ -12576,6 +12576,14 @@ but no position is feasible</source>
         <source>The case file cannot contain these settings: the cycle is saved as a separate CSV file.</source>
         <translation>Файл задачи не может хранить эти настройки: цикл сохраняется отдельным файлом CSV.</translation>
     </message>
+    <message>
+        <source>The file covers 360°, but the engine of the case is a four-stroke (720°). Import the whole cycle, or choose the cycle of 360° to make the engine a two-stroke.</source>
+        <translation>Файл охватывает 360°, а двигатель задачи — четырёхтактный (720°). Импортируйте весь цикл или выберите цикл 360°, и двигатель станет двухтактным.</translation>
+    </message>
+    <message>
+        <source>The file covers 720°, but the engine of the case is a two-stroke (360°). Choose the cycle: 720° makes the engine a four-stroke.</source>
+        <translation>Файл охватывает 720°, а двигатель задачи — двухтактный (360°). Выберите цикл: с циклом 720° двигатель станет четырёхтактным.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsCharts</name>
@@ -17053,6 +17061,14 @@ but no position is feasible</source>
     <message>
         <source>Edit torque table</source>
         <translation>Правка таблицы момента</translation>
+    </message>
+    <message>
+        <source>The table covers 360°: the four-stroke engine is now a two-stroke. Undo restores it.</source>
+        <translation>Таблица охватывает 360°: четырёхтактный двигатель стал двухтактным. Отмена вернёт прежний.</translation>
+    </message>
+    <message>
+        <source>The table covers 720°: the two-stroke engine is now a four-stroke. Undo restores it.</source>
+        <translation>Таблица охватывает 720°: двухтактный двигатель стал четырёхтактным. Отмена вернёт прежний.</translation>
     </message>
 </context>
 <context>

@@ -162,12 +162,17 @@ QWidget* ImportDialog::buildSettings() {
         const QSignalBlocker blocker(header);
         header->setValue(model_->headerLines());
     });
-    addChoice(
+    QComboBox* cycle = addChoice(
         layout, "import_cycle", tr("C&ycle"),
         tr("Length of a cycle. Several cycles in the file are averaged."),
         fixed({tr("360° (two-stroke)"), tr("720° (four-stroke)")}),
-        [this] { return model_->reading().strokes.value_or(0) / 2 - 1; },
+        [this] {
+            return model_->asksForCycle() ? -1 : model_->reading().strokes.value_or(0) / 2 - 1;
+        },
         decideBy([](TableReading& decided, int place) { decided.strokes = 2 + 2 * place; }));
+    settings_.push_back([this, cycle] {
+        cycle->setPlaceholderText(model_->asksForCycle() ? tr("choose") : tr("from the file"));
+    });
     addChoice(
         meaning, "import_angle", tr("Crank &angle"),
         tr("Column of the crank angle. Without one, the rows are equal steps over one cycle."),

@@ -239,7 +239,8 @@ QWidget* TorqueSourceEditor::buildCycle() {
 }
 
 void TorqueSourceEditor::importTrace(const QString& path) {
-    ImportModel file(balance_shaft::Measured::pressure, slider_crank(model_->input()));
+    ImportModel file(balance_shaft::Measured::pressure, slider_crank(model_->input()),
+                     model_->input().strokes);
     file.open(path);
     ImportDialog dialog(&file, tr("Import pressure trace"), this);
     if (dialog.exec() != QDialog::Accepted) {

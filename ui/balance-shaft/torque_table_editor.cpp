@@ -44,10 +44,11 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, QWidget* parent)
         }
     });
     connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {
-        say(trouble.isEmpty() ? QString()
-                              : trouble + QLatin1Char('\n') +
-                                    tr("The previous value is used until this is corrected."),
-            !trouble.isEmpty());
+        const QString text = trouble.isEmpty()
+                                 ? table_->strokesNote()
+                                 : trouble + QLatin1Char('\n') +
+                                       tr("The previous value is used until this is corrected.");
+        say(text, !text.isEmpty());
     });
 }
 
@@ -59,7 +60,8 @@ void TorqueTableEditor::importWithDialog() {
 }
 
 void TorqueTableEditor::importFile(const QString& path) {
-    ImportModel file(balance_shaft::Measured::torque, slider_crank(model_->input()));
+    ImportModel file(balance_shaft::Measured::torque, slider_crank(model_->input()),
+                     model_->input().strokes);
     file.open(path);
     ImportDialog dialog(&file, tr("Import torque table"), this);
     if (dialog.exec() == QDialog::Accepted) {
@@ -91,8 +93,9 @@ bool isCycle(const std::vector<QStringList>& cells) {
 void TorqueTableEditor::paste() {
     const QString text = QApplication::clipboard()->text();
     try {
-        const QString what = table_->replaceByText(text.toStdString());
-        say(tr("Read %1.").arg(what), false);
+        const QString what = tr("Read %1.").arg(table_->replaceByText(text.toStdString()));
+        const QString& note = table_->strokesNote();
+        say(note.isEmpty() ? what : what + QLatin1Char(' ') + note, !note.isEmpty());
     } catch (const InputError& error) {
         const auto cells = readTextTable(text);
         const auto rows = static_cast<int>(cells.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -22,6 +23,14 @@ inline void keepAngles(ImportDialog& dialog) {
     if (auto* shift = named<QCheckBox>(dialog, "import_shift"); shift->isChecked()) {
         shift->click();
     }
+}
+
+/// Decides how long a cycle is.
+inline void chooseCycle(ImportDialog& dialog, int strokes) {
+    auto* cycle = named<QComboBox>(dialog, "import_cycle");
+    cycle->setFocus();
+    QTest::keyClick(cycle, strokes == 2 ? Qt::Key_Home : Qt::Key_End);
+    EXPECT_TRUE(isRead(dialog));
 }
 
 /// Opens the import window by `open`, acts in it once the file is read, and presses Import; where

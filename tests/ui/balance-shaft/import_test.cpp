@@ -81,7 +81,7 @@ class ImportTest : public test::PageTest<BalanceShaftPage> {
     const QTemporaryDir folder;
     const balance_shaft::test::SyntheticEngine engine =
         balance_shaft::test::synthetic_engines().front();
-    ImportModel import{Measured::pressure, engine.crank};
+    ImportModel import{Measured::pressure, engine.crank, 4};
     TorqueSourceEditor* source = page.findChild<TorqueSourceEditor*>();
 };
 
@@ -155,6 +155,52 @@ TEST_F(ImportTest, CyclesAreAveragedByTheLengthThatIsChosen) {
         EXPECT_NEAR(*std::max_element(pressure.begin(), pressure.end()), strokes == 4 ? 50e5 : 45e5,
                     1.0);
     }
+}
+
+// What is typed of the engine does not change in silence.
+TEST_F(ImportTest, ACycleOfAnotherEngineIsAskedAbout) {
+    const char* const rows[] = {"deg;bar\n0;1\n90;2\n180;40\n270;3\n360;1\n",
+                                "deg;bar\n0;1\n180;2\n360;40\n540;3\n720;1\n"};
+    for (const int strokes : {4, 2}) {
+        const QString path = file(rows[strokes == 4 ? 0 : 1]);
+        ImportModel of(Measured::pressure, engine.crank, strokes);
+        of.open(path);
+        const auto read = [&] { return test::comes([&] { return !of.job()->isRunning(); }); };
+        ASSERT_TRUE(read());
+        const auto names = [&](const char* text) {
+            return of.doubtsText().contains(QString::fromUtf8(text));
+        };
+        EXPECT_FALSE(of.isReady());
+        EXPECT_TRUE(names("360°") && names("720°") && names("four-stroke") && names("two-stroke"))
+            << qPrintable(of.doubtsText());
+        for (const int decided : {strokes, 6 - strokes}) {
+            TableReading reading;
+            reading.strokes = decided;
+            of.decide(reading);
+            ASSERT_TRUE(read());
+            EXPECT_EQ(of.isReady(), decided != strokes);
+        }
+        EXPECT_EQ(of.doubtsText(), QString());
+    }
+    ASSERT_EQ(model->input().strokes, 4);
+    const QString path = file(rows[0]);
+    const auto imported = [&](bool isChosen) {
+        test::importBy(
+            page, [&] { source->importTrace(path); },
+            [&](ImportDialog& dialog) {
+                const auto* cycle = test::named<QComboBox>(dialog, "import_cycle");
+                EXPECT_EQ(cycle->currentIndex(), -1);
+                EXPECT_EQ(cycle->placeholderText(), QStringLiteral("choose"));
+                if (isChosen) {
+                    test::chooseCycle(dialog, 2);
+                    EXPECT_EQ(cycle->currentText(), QStringLiteral("360° (two-stroke)"));
+                }
+            });
+        return model->input().strokes;
+    };
+    EXPECT_EQ(imported(false), 4);
+    EXPECT_NE(model->input().torque.kind, balance_shaft::TorqueSource::Kind::pressure);
+    EXPECT_EQ(imported(true), 2);
 }
 
 TEST_F(ImportTest, SettingsThatACaseCannotHoldMakeAFileOfTheCycle) {

@@ -74,7 +74,11 @@ TEST_F(TorqueSourceTest, ATraceOfOneTurnMakesATwoStrokeAndAnOddOneANote) {
         const QString path = folder.filePath(QStringLiteral("p.csv"));
         write_text_file(path.toStdString(), csv.toStdString());
         test::importBy(
-            page, [&] { source->importTrace(path); }, test::keepAngles);
+            page, [&] { source->importTrace(path); },
+            [](ImportDialog& dialog) {
+                test::chooseCycle(dialog, 2);
+                test::keepAngles(dialog);
+            });
     };
     import(100.0);
     EXPECT_EQ(model->input().strokes, 2);
@@ -138,6 +142,23 @@ TEST_F(TorqueSourceTest, ACaseWithAComputedCycleAloneLeadsToATable) {
     entries->paste();
     EXPECT_EQ(model->input().torque.kind, Kind::table);
     EXPECT_EQ(model->input().torque.table.size(), 5U);
+}
+
+TEST_F(TorqueSourceTest, APastedTableOfAnotherCycleWarnsThatTheEngineChanges) {
+    const auto pasted = [&](const char* text) {
+        QApplication::clipboard()->setText(QString::fromUtf8(text));
+        entries->paste();
+        QStringList said;
+        for (const auto* label : entries->findChildren<QLabel*>()) {
+            said << label->text();
+        }
+        return said.join(QLatin1Char('\n'));
+    };
+    const QString note = QStringLiteral("the four-stroke engine is now a two-stroke");
+    EXPECT_FALSE(pasted("0;0\n360;100\n720;0\n").contains(note));
+    EXPECT_TRUE(pasted("0;0\n180;100\n360;0\n").contains(note));
+    EXPECT_EQ(model->input().strokes, 2);
+    EXPECT_FALSE(pasted("0;0\n180;90\n360;0\n").contains(note));
 }
 
 TEST_F(TorqueSourceTest, APastedTextInItsOwnUnitIsNotConvertedByTheShownOne) {

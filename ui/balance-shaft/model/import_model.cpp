@@ -25,8 +25,13 @@ using balance_shaft::DeadCentre;
 using balance_shaft::Measured;
 using balance_shaft::TableReading;
 
-ImportModel::ImportModel(Measured what, const SliderCrank<double>& crank, QObject* parent)
-    : QObject(parent), what_(what), crank_(crank), job_(new BackgroundJob(this)) {
+ImportModel::ImportModel(Measured what, const SliderCrank<double>& crank, int strokes,
+                         QObject* parent)
+    : QObject(parent),
+      what_(what),
+      crank_(crank),
+      strokes_(strokes),
+      job_(new BackgroundJob(this)) {
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
         unreadable_ = why;
         look_ = {};
@@ -154,8 +159,13 @@ std::optional<bool> ImportModel::decimalComma() const {
                                : decided_.layout.decimal_comma;
 }
 
+bool ImportModel::asksForCycle() const {
+    return format() != nullptr && format()->strokes != strokes_ &&
+           format()->strokes != decided_.strokes;
+}
+
 bool ImportModel::isReady() const {
-    return format() != nullptr && !job_->isRunning();
+    return format() != nullptr && !asksForCycle() && !job_->isRunning();
 }
 
 QString ImportModel::understoodText() const {
@@ -170,6 +180,14 @@ QString ImportModel::doubtsText() const {
     QStringList doubts;
     for (const Message& doubt : look_.proposal.doubts) {
         doubts << messageText(doubt);
+    }
+    if (asksForCycle()) {
+        doubts << (strokes_ == 4
+                       ? tr("The file covers 360°, but the engine of the case is a four-stroke "
+                            "(720°). Import the whole cycle, or choose the cycle of 360° to make "
+                            "the engine a two-stroke.")
+                       : tr("The file covers 720°, but the engine of the case is a two-stroke "
+                            "(360°). Choose the cycle: 720° makes the engine a four-stroke."));
     }
     if (needsOwnFile()) {
         doubts << tr(

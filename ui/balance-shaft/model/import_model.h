@@ -27,7 +27,8 @@ class ImportModel : public QObject {
 
   public:
     /// @param crank  of the engine, whose compression line shows the dead centre
-    ImportModel(balance_shaft::Measured what, const SliderCrank<double>& crank,
+    /// @param strokes  of the engine
+    ImportModel(balance_shaft::Measured what, const SliderCrank<double>& crank, int strokes,
                 QObject* parent = nullptr);
 
     /// Reads a file. changed() follows, also where it cannot be read.
@@ -55,6 +56,8 @@ class ImportModel : public QObject {
     /// The decimal sign; nothing where the numbers leave it open.
     std::optional<bool> decimalComma() const;
 
+    /// The cycle of the file is another engine's: whether the case is to be that is asked.
+    bool asksForCycle() const;
     /// The file is read as the settings say.
     bool isReady() const;
     QString understoodText() const;  ///< how it was read; empty where it was not
@@ -107,6 +110,7 @@ class ImportModel : public QObject {
 
     balance_shaft::Measured what_;
     SliderCrank<double> crank_;
+    int strokes_;
     BackgroundJob* job_;
     QString path_;
     std::shared_ptr<const std::string> text_;  ///< null until it is read

@@ -126,6 +126,7 @@ QString TorqueTableModel::ownText(const Place& place) const {
 }
 
 void TorqueTableModel::put(Texts texts) {
+    strokesNote_.clear();
     const TorqueTable own = table();
     const Place ends[] = {{0, Torque}, {rowCount() - 1, Torque}};
     for (const auto& [end, other] : {std::pair(ends[0], ends[1]), std::pair(ends[1], ends[0])}) {
@@ -176,12 +177,20 @@ void TorqueTableModel::put(Texts texts) {
 }
 
 QString TorqueTableModel::take(const TorqueTable& table) {
-    return model_->edit(tr("Edit torque table"), [&](balance_shaft::Input& input) {
+    const int before = model_->input().strokes;
+    const QString why = model_->edit(tr("Edit torque table"), [&](balance_shaft::Input& input) {
         input.torque.kind = balance_shaft::TorqueSource::Kind::table;
         input.torque.csv.name.clear();
         input.torque.table = table;
         input.strokes = input.strokes_of_torque();
     });
+    const int now = model_->input().strokes;
+    strokesNote_ = now == before ? QString()
+                   : now == 2    ? tr("The table covers 360°: the four-stroke engine is now a "
+                                         "two-stroke. Undo restores it.")
+                                 : tr("The table covers 720°: the two-stroke engine is now a "
+                                         "four-stroke. Undo restores it.");
+    return why;
 }
 
 void TorqueTableModel::insertRowBelow(int row) {
@@ -224,6 +233,7 @@ QString TorqueTableModel::replaceByText(const std::string& text) {
 }
 
 void TorqueTableModel::replaceBy(const TorqueTable& table) {
+    strokesNote_.clear();
     // Read again from a file that has changed, it becomes the case's own.
     if (!(table == this->table()) || model_->input().torque.has_changed()) {
         take(table);

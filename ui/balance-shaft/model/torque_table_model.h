@@ -30,6 +30,8 @@ class TorqueTableModel final : public EditableTable {
     /// names another.
     /// @return a sentence on the rows read; throws InputError and changes nothing
     QString replaceByText(const std::string& text);
+    /// That the table last put in made the engine another; empty where it did not.
+    const QString& strokesNote() const { return strokesNote_; }
     /// Replaces the whole table by another.
     void replaceBy(const balance_shaft::TorqueTable& table);
     SceneModel* scene() const override;
@@ -59,6 +61,7 @@ class TorqueTableModel final : public EditableTable {
     QString take(const balance_shaft::TorqueTable& table);
 
     BalanceShaftModel* model_;
+    QString strokesNote_;
 };
 
 }  // namespace ravnoves
