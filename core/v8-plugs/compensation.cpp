@@ -86,8 +86,6 @@ double BobWeight::sum() const {
     return total;
 }
 
-namespace {
-
 BobWeight bob_weight(const Engine& engine, const MassChanges& changes, double plug_mass,
                      double plug_radius) {
     const shop::WeightLine plugs{
@@ -114,8 +112,6 @@ BobWeight bob_weight(const Engine& engine, const MassChanges& changes, double pl
             oil.product()};
 }
 
-}  // namespace
-
 std::optional<BobWeight> bob_weight(const Engine& engine, const MassChanges& changes,
                                     Crankshaft crankshaft) {
     if (crankshaft == Crankshaft::standard) {
@@ -126,11 +122,6 @@ std::optional<BobWeight> bob_weight(const Engine& engine, const MassChanges& cha
                ? std::optional(bob_weight(engine, changes, engine.new_steel_plug_mass.value(),
                                           engine.new_plug_radius.value()))
                : std::nullopt;
-}
-
-BobWeight bob_weight(const Engine& engine, const MassChanges& changes, const Option& option) {
-    return bob_weight(engine, changes, option.plug_mass_unmachined - option.reduction,
-                      option.plug_radius);
 }
 
 double shift_coefficient(double shift, double crank_radius) {

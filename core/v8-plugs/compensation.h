@@ -110,10 +110,11 @@ struct BobWeight {
 
 // Bob weight of an engine with its nominal masses and these parts, eqs. (4), (5), (7), (8): with
 // the plugs that the crankshaft was made for (nothing for new_plugs where the engine has none), or
-// with the plugs of an option, lightened by its reduction.
+// with plugs of that mass each, with their centre of mass at that radius.
 std::optional<BobWeight> bob_weight(const Engine& engine, const MassChanges& changes,
                                     Crankshaft crankshaft);
-BobWeight bob_weight(const Engine& engine, const MassChanges& changes, const Option& option);
+BobWeight bob_weight(const Engine& engine, const MassChanges& changes, double plug_mass,
+                     double plug_radius);
 
 /// The shift of a machined plug's centre of mass that (2) neglects: 0.8 to 1.2 mm in the paper.
 inline constexpr double smallest_shift = 0.8e-3;  ///< m

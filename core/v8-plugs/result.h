@@ -25,6 +25,12 @@ struct SolvedOption : Option {
     double take_off() const {
         return by_method_alone() ? shift->reduction : feasible ? reduction : required_reduction;
     }
+    /// One plug as the option fits it, kg, and the radius of its centre of mass, m. With less off
+    /// than the method counts it is heavier, and its centre nearer to the crank axis.
+    double fitted_mass() const {
+        return plug_mass_unmachined - (by_method_alone() ? shift->reduction : reduction);
+    }
+    double fitted_radius() const { return by_method_alone() ? shift->radius : plug_radius; }
     /// The bore to make: where the neglected shift matters, the one that counts it; empty where
     /// no bore does.
     std::optional<Boring> right_boring() const {

@@ -143,14 +143,14 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     const auto crankshaft = needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard;
     grams({"nominal_bobweight_g", Text::tr("Bob weight, nominal"), 1},
           weight ? bob_weight(*result.engine, {}, crankshaft) : std::nullopt, &BobWeight::sum);
-    const double plug = option->plug_mass_unmachined - option->reduction;
-    visitor.number({"plug_mass_g", Text::tr("Mass of a plug")}, plug);
+    visitor.number({"plug_mass_g", Text::tr("Mass of a plug")}, solved->fitted_mass());
     if (!option->feasible) {
         visitor.text(reason, describe_failure(*option, tolerance));
     }
     if (weight) {
         visit_bob_weight(visitor, key::bob_weight, *weight);
     }
+    const double plug = option->plug_mass_unmachined - option->reduction;
     visitor.list({"centre_of_mass_shift", Text::tr("Shift")}, 2, [&](std::size_t i) {
         const double shift = i == 0 ? smallest_shift : largest_shift;
         visitor.number(key::shift, shift);

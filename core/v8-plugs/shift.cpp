@@ -43,7 +43,8 @@ std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
     if (!option.machined()) {
         return std::nullopt;
     }
-    const double plug = option.plug_mass_unmachined - option.reduction;
+    const double mass = option.plug_mass_unmachined;
+    const double plug = mass - option.reduction;
     ShiftEffect effect;
     effect.planned = setup.has_value();
     if (setup) {
@@ -65,14 +66,17 @@ std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
         effect.min_reduction = effect.max_reduction = effect.reduction =
             bored_reduction(option, *setup);
         const Boring boring = plan_boring(*setup, effect.reduction);
+        effect.radius =
+            option.plug_radius - effect.reduction * boring.cut_distance / (mass - effect.reduction);
         if (boring.limit == Boring::Limit::none) {
             effect.depth = boring.depth;
         }
     } else {
         effect.min_reduction = shifted_reduction(option, effect.max_shift);
         effect.max_reduction = shifted_reduction(option, effect.min_shift);
-        effect.reduction = shifted_reduction(option, 0.5 * (effect.min_shift + effect.max_shift));
-        const double mass = option.plug_mass_unmachined;
+        const double halfway = 0.5 * (effect.min_shift + effect.max_shift);
+        effect.reduction = shifted_reduction(option, halfway);
+        effect.radius = option.plug_radius - (effect.reduction > 0.0 ? halfway : 0.0);
         for (const double shift : {effect.min_shift, effect.max_shift}) {
             const double left = (mass - effect.reduction) * (option.plug_radius - shift) -
                                 (mass - option.required_reduction) * option.plug_radius;
@@ -90,9 +94,10 @@ Message describe(const ShiftEffect& effect, double tolerance) {
     const Number allowed = shop::in_gram_millimetres(tolerance);
     const Message neglect =
         effect.planned
-            ? Message(Text::tr("The paper's method alone would leave %1, permissible %2: it neglects "
-                               "the shift of the plug's centre of mass."),
-                      beyond, allowed)
+            ? Message(
+                  Text::tr("The paper's method alone would leave %1, permissible %2: it neglects "
+                           "the shift of the plug's centre of mass."),
+                  beyond, allowed)
             : Message(Text::tr("The method neglects the shift of the plug's centre of mass, %3 to "
                                "%4 in the paper: the residual is up to %1, permissible %2."),
                       beyond, allowed, Number{smallest_shift / units::mm, units::mm, 0, true},

@@ -30,6 +30,7 @@ struct ShiftEffect {
     /// that residual, kg·m.
     double reduction = 0.0;
     double uncertainty = 0.0;
+    double radius = 0.0;          ///< of the centre of mass of a plug with that taken off, m
     std::optional<double> depth;  ///< of the bore for that, from the face, m; where planned
 
     friend bool operator==(const ShiftEffect&, const ShiftEffect&) = default;

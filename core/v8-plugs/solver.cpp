@@ -61,7 +61,8 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
     }
     for (auto& option : result.options) {
         if (option) {
-            option->bob_weight = bob_weight(engine, result.changes, *option);
+            option->bob_weight =
+                bob_weight(engine, result.changes, option->fitted_mass(), option->fitted_radius());
         }
     }
 }

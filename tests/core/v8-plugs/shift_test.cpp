@@ -7,6 +7,7 @@
 #include "support.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/results.h"
+#include "v8-plugs/solver.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
@@ -106,6 +107,47 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
     // Of the smaller engine it stays within the tolerance.
     const Engine& small = *find_preset("4.25 l");
     EXPECT_FALSE(shift_effect(option_of(small, 3.0 * gram), tolerance, std::nullopt)->matters);
+}
+
+// What is hung counts the plugs as they are machined: the mass that is taken off by headline and
+// card, at the radius where its centre then is.
+TEST(Shift, BobWeightCountsThePlugsAsMachined) {
+    Workshop workshop(12);
+    int corrected = 0;
+    for (int round = 0; round < 400; ++round) {
+        Input input;
+        input.engine = workshop.engine();
+        input.typed_changes.piston = workshop.between(1, 15) * gram;
+        input.changes_given = true;
+        input.tolerance = workshop.between(1, 20) * gram_millimetre;
+        if (round % 2 == 0) {
+            input.plug = PlugSheet{};
+            input.plug->thread = Thread{22 * millimetre, 1.5 * millimetre};
+            input.plug->height = workshop.between(12, 30) * millimetre;
+            input.plug->bore_diameter = 12 * millimetre;
+            input.plug->bore_depth = 2 * millimetre;
+            input.plug->cutter_diameter = 12 * millimetre;
+            input.engine.steel_plug_mass = input.plug->geometry()->volume() * steel_density;
+            input.engine.max_steel_reduction = 0.5 * *input.engine.steel_plug_mass;
+        }
+        const Result result = solve(input);
+        for (const auto& option : result.options) {
+            if (!option || !option->feasible) {
+                continue;
+            }
+            const auto& line = option->bob_weight->lines.at(2);
+            ASSERT_EQ(line.name.word, "plugs");
+            EXPECT_NEAR(line.mass, option->plug_mass_unmachined - option->take_off(), 1e-15);
+            // The limits of the plug apart, that weighs on the pin what the method counts.
+            const double counted = 2.0 * (option->plug_mass_unmachined - option->reduction) *
+                                   option->plug_radius / *input.engine.crank_radius;
+            if (!option->by_method_alone() || option->shift->reduction > 0.0) {
+                corrected += option->by_method_alone() ? 1 : 0;
+                EXPECT_NEAR(line.product(), counted, 1e-9 * counted);
+            }
+        }
+    }
+    EXPECT_GT(corrected, 50);
 }
 
 TEST(Shift, PlugsThatAreNotMachinedHaveNone) {
