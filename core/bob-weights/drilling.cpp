@@ -35,11 +35,6 @@ double stepped(double depth, const HoleLimits& limits) {
                : depth;
 }
 
-double deepest_hole(double diameter, const Cut& cut, const HoleLimits& limits) {
-    const double room = cut.axial_wall ? limits.maximum_depth : cut.radius - cut.cone(diameter);
-    return stepped(std::min(limits.maximum_depth, room), limits);
-}
-
 class Planner {
   public:
     Planner(double target, double angle, const Cut& cut, const HoleLimits& limits)
@@ -47,10 +42,7 @@ class Planner {
           angle_(angle),
           cut_(cut),
           limits_(limits),
-          minimum_(limits.depth_step > 0.0
-                       ? limits.depth_step *
-                             std::ceil(limits.smallest_depth / limits.depth_step - 1e-9)
-                       : limits.smallest_depth) {}
+          minimum_(smallest_hole(limits)) {}
 
     double deepest(double diameter) const { return deepest_hole(diameter, cut_, limits_); }
 
@@ -99,16 +91,20 @@ class Planner {
         return Pattern{n, diameter, depth, target_ - taken(n, diameter, depth), n * one.mass};
     }
 
-    NoRoom room_for_one(double diameter) const {
-        if (deepest(diameter) < minimum_) {
-            return NoRoom::too_shallow;
+    NoRoom room_for_one(double diameter, double depth) const {
+        constexpr double rounding = 1e-12;
+        if (depth > deepest(diameter) + rounding) {
+            return NoRoom::too_deep;
         }
-        if (!half_width(cut_, diameter, minimum_, limits_.minimum_wall)) {
+        const bool has_room = fits(1, diameter, depth);
+        // A hole that is alone in the rim may reach the axis.
+        if (!half_width(cut_, diameter, depth, limits_.minimum_wall) &&
+            (cut_.axial_wall || !has_room)) {
             return NoRoom::behind_wall;
         }
-        return !may_lie(angle_, diameter, minimum_) ? NoRoom::in_sector
-               : fits(1, diameter, minimum_)        ? NoRoom::none
-                                                    : NoRoom::beside_hole;
+        return !may_lie(angle_, diameter, depth) ? NoRoom::in_sector
+               : has_room                        ? NoRoom::none
+                                                 : NoRoom::beside_hole;
     }
 
     std::vector<Hole> holes(const Pattern& pattern) const {
@@ -292,8 +288,20 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
     return {planner.holes(*nearest), nearest->left, why};
 }
 
-NoRoom room_at(double angle, const Cut& cut, double diameter, const HoleLimits& limits) {
-    return Planner(0.0, angle, cut, limits).room_for_one(diameter);
+NoRoom room_at(double angle, const Cut& cut, double diameter, double depth,
+               const HoleLimits& limits) {
+    return Planner(0.0, angle, cut, limits).room_for_one(diameter, depth);
+}
+
+double smallest_hole(const HoleLimits& limits) {
+    return limits.depth_step > 0.0
+               ? limits.depth_step * std::ceil(limits.smallest_depth / limits.depth_step - 1e-9)
+               : limits.smallest_depth;
+}
+
+double deepest_hole(double diameter, const Cut& cut, const HoleLimits& limits) {
+    const double room = cut.axial_wall ? limits.maximum_depth : cut.radius - cut.cone(diameter);
+    return stepped(std::min(limits.maximum_depth, room), limits);
 }
 
 bool HoleLimits::allows(double angle) const {

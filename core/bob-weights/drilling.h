@@ -131,12 +131,16 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
 /// Why there is no room for a hole at an angle.
 enum class NoRoom {
     none,         ///< there is
-    too_shallow,  ///< no depth between the smallest and the largest
+    too_deep,     ///< deeper than a hole may be
     behind_wall,  ///< the wall leaves it none
     in_sector,    ///< its edge would be beyond a limit
     beside_hole   ///< one that was drilled before is too near
 };
-NoRoom room_at(double angle, const Cut& cut, double diameter, const HoleLimits& limits);
+NoRoom room_at(double angle, const Cut& cut, double diameter, double depth,
+               const HoleLimits& limits);
+/// The smallest and the largest depth of a hole, by the steps, m.
+double smallest_hole(const HoleLimits& limits);
+double deepest_hole(double diameter, const Cut& cut, const HoleLimits& limits);
 
 /// Deepens present holes to minimise the residual unbalance: one where that is enough, else two,
 /// else as many as help. Each keeps its wall to all others.

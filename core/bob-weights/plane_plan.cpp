@@ -120,9 +120,12 @@ class PlanePlanner {
           enough_(correction.aim == Aim::zero ? -1.0 : tolerance_),
           cut_{*plane.radius, correction.drill.density, correction.drill.point_angle},
           into_(cut_),
-          limits_{*correction.drill.maximum_depth, correction.drill.depth_step,
-                  correction.drill.minimum_wall,   correction.drill.maximum_holes,
-                  correction.drill.maximum_angle,  std::nullopt} {
+          limits_{correction.drill.maximum_depth.value_or(std::numeric_limits<double>::infinity()),
+                  correction.drill.depth_step,
+                  correction.drill.minimum_wall,
+                  correction.drill.maximum_holes,
+                  correction.drill.maximum_angle,
+                  std::nullopt} {
         const auto& slug = correction.slug;
         has_slugs_ = slug && slug->diameter && slug->density;
         if (has_slugs_) {
@@ -160,16 +163,13 @@ class PlanePlanner {
             shortfall == Shortfall::short_slugs) {
             return {};
         }
-        HoleLimits limits = limits_;
-        for (const Hole& hole : there_) {
-            take(hole, cut_, limits);
-        }
+        const HoleLimits limits = beside_all();
         const double diameter = *correction_.slug->diameter;
         const Number size{diameter / units::mm, units::mm, -2};
         const Number place{angle / degree, units::degree, -1};
         const Number wall{limits.minimum_wall / units::mm, units::mm, -1};
-        switch (room_at(angle, into_, diameter, limits)) {
-            case NoRoom::too_shallow:
+        switch (room_at(angle, into_, diameter, smallest_hole(limits), limits)) {
+            case NoRoom::too_deep:
                 return {
                     into_.axial_wall
                         ? Text::tr("No slug of ⌀ %1 fits: the counterweight is too thin, with "
@@ -191,6 +191,13 @@ class PlanePlanner {
                 break;
         }
         return {Text::tr("Even the shortest slug of ⌀ %1 adds too much."), size};
+    }
+
+    TriedRoom room_for(const Hole& hole) const {
+        HoleLimits limits = beside_all();
+        limits.depth_step = 0.0;
+        return {room_at(hole.angle, cut_, hole.diameter, hole.depth, limits),
+                deepest_hole(hole.diameter, cut_, limits)};
     }
 
     Planned plan(Vector unbalance) const {
@@ -248,6 +255,14 @@ class PlanePlanner {
     }
 
   private:
+    /// Clear of all that is there.
+    HoleLimits beside_all() const {
+        HoleLimits limits = limits_;
+        for (const Hole& hole : there_) {
+            take(hole, cut_, limits);
+        }
+        return limits;
+    }
     static Hole at_depth_before(Hole hole) {
         hole.depth = hole.from_depth;
         return hole;
@@ -393,6 +408,11 @@ Vector effect_of(const Metal& metal) {
 bool are_one_hole(const Hole& a, const Hole& b, double radius) {
     return a.diameter == b.diameter &&
            radius * std::abs(std::remainder(a.angle - b.angle, 2.0 * pi)) < 0.5 * a.diameter;
+}
+
+TriedRoom room_for(const Hole& hole, const Plane& plane, const Correction& correction,
+                   const Metal& before) {
+    return PlanePlanner(plane, correction, std::nullopt, before).room_for(hole);
 }
 
 PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& correction,

@@ -15,6 +15,16 @@ std::complex<double> effect_of(const Metal& metal);
 /// Whether two holes of a plane are one: an angle that was measured is not quite the one planned.
 bool are_one_hole(const Hole& a, const Hole& b, double radius);
 
+/// Whether a hole that somebody thinks of has room by the rules of the plan, but for the steps of
+/// its depth and the smallest one.
+struct TriedRoom {
+    NoRoom missing;
+    double maximum_depth;  ///< m
+};
+/// @param before  as below
+TriedRoom room_for(const Hole& hole, const Plane& plane, const Correction& correction,
+                   const Metal& before);
+
 /// Plans the holes, and slugs where they have no room.
 /// @param before  metal drilled there and pressed in after earlier runs
 PlaneResult plan_plane(std::complex<double> unbalance, const Plane& plane,

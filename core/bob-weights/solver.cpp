@@ -184,6 +184,11 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
     return found;
 }
 
+void join(Metal& all, const Metal& more) {
+    all.holes.insert(all.holes.end(), more.holes.begin(), more.holes.end());
+    all.slugs.insert(all.slugs.end(), more.slugs.begin(), more.slugs.end());
+}
+
 void solve_correction(const Input& input, Result& result) {
     if (!input.correction) {
         return;
@@ -242,11 +247,7 @@ void solve_correction(const Input& input, Result& result) {
             run.drilled = recorded(*earlier.drilled, correction, at, before);
         }
         for (std::size_t i = 0; i < 2; ++i) {
-            const auto join = [](std::vector<Hole>& all, const std::vector<Hole>& more) {
-                all.insert(all.end(), more.begin(), more.end());
-            };
-            join(before[i].holes, run.drilled[i].holes);
-            join(before[i].slugs, run.drilled[i].slugs);
+            join(before[i], run.drilled[i]);
         }
     }
     add_run(correction.readings);
@@ -423,23 +424,12 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
         i >= input.correction->planes.size() || !input.correction->planes[i].radius) {
         return std::nullopt;
     }
-    const Drill& drill = input.correction->drill;
-    const Cut cut{*input.correction->planes[i].radius, drill.density, drill.point_angle};
-    bool touches = false;
-    for (const RunResult& run : result.runs) {
-        for (const Hole& hole : run.drilled[i].holes) {
-            const double away = std::abs(std::remainder(hole.angle - angle, 2.0 * pi));
-            touches = touches ||
-                      away * cut.radius < 0.5 * (diameter + hole.diameter) + drill.minimum_wall;
-        }
-    }
     const Plane& there = input.correction->planes[i];
-    bool is_outside = false;
-    if (there.from_angle && there.to_angle) {
-        HoleLimits limits{};
-        limits.sector = {*there.from_angle, *there.to_angle};
-        is_outside = !limits.allows(angle) ||
-                     edge_beyond(cut, *limits.sector, {diameter, depth, angle, 0.0, 0.0}) > 0.0;
+    const Drill& drill = input.correction->drill;
+    const Cut cut{*there.radius, drill.density, drill.point_angle};
+    Metal before;
+    for (const RunResult& run : result.runs) {
+        join(before, run.drilled[i]);
     }
     const double taken = cut.removed(diameter, depth).unbalance;
     const Vector left = vector_of(*newest->planes[i]) - std::polar(taken, angle);
@@ -447,7 +437,7 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
         std::abs(left), turn_of(std::arg(left)),
         shop::is_within(std::abs(left), result.permissible ? std::optional((*result.permissible)[i])
                                                            : std::nullopt),
-        touches, is_outside};
+        room_for({diameter, depth, angle, 0.0, 0.0}, there, *input.correction, before)};
 }
 
 }  // namespace ravnoves::bob_weights

@@ -4,6 +4,7 @@
 
 #include "bob-weights/drilled.h"
 #include "bob-weights/input.h"
+#include "bob-weights/plane_plan.h"
 #include "bob-weights/result.h"
 
 namespace ravnoves::bob_weights {
@@ -25,8 +26,7 @@ struct Remaining {
     double unbalance;                      ///< kg·m
     double angle;                          ///< rad, 0…2π
     std::optional<bool> within_tolerance;  ///< nothing without a limit
-    bool touches = false;                  ///< a hole that is there, the wall between them included
-    bool is_outside = false;               ///< not wholly in the drilling sector
+    TriedRoom room;
 };
 std::optional<Remaining> what_if(const Input& input, const Result& result, PlaneName plane,
                                  double diameter, double depth, double angle);

@@ -11083,6 +11083,10 @@ but no position is feasible</source>
         <translation>Слишком глубоко: максимальная глубина %1.</translation>
     </message>
     <message>
+        <source>Too deep: no wall remains to the other holes.</source>
+        <translation>Слишком глубоко: стенки до других отверстий не остаётся.</translation>
+    </message>
+    <message>
         <source>%1: residual %2 at %3.</source>
         <translation>%1: остаток %2 на %3.</translation>
     </message>

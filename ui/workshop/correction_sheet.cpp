@@ -172,15 +172,25 @@ void CorrectionSheet::showWhatIf() {
         showOrHide(whatIfLine_, {});
         return;
     }
-    const std::optional<double>& deepest = model_->input().correction->drill.maximum_depth;
     const Words words;
-    if (left->touches) {
-        showOrHide(whatIfLine_, tr("Another hole is too near. Choose another angle."));
-    } else if (left->is_outside) {
-        showOrHide(whatIfLine_, tr("The hole is outside the drilling sector."));
-    } else if (deepest && *whatIf_.depth > *deepest) {
-        showOrHide(whatIfLine_, tr("Too deep: the maximum depth is %1.")
-                                    .arg(words.plainWithUnit(*deepest, units::mm, 2)));
+    const auto hindrance = [&] {
+        switch (left->room.missing) {
+            case NoRoom::beside_hole:
+                return tr("Another hole is too near. Choose another angle.");
+            case NoRoom::in_sector:
+                return tr("The hole is outside the drilling sector.");
+            case NoRoom::too_deep:
+                return tr("Too deep: the maximum depth is %1.")
+                    .arg(words.plainWithUnit(left->room.maximum_depth, units::mm, 2));
+            case NoRoom::behind_wall:
+                return tr("Too deep: no wall remains to the other holes.");
+            case NoRoom::none:
+                break;
+        }
+        return QString();
+    }();
+    if (!hindrance.isEmpty()) {
+        showOrHide(whatIfLine_, hindrance);
     } else {
         const QString verdict = verdictText(words, verdictWord(left->within_tolerance, {}));
         const QString said = tr("%1: residual %2 at %3.")

@@ -4,9 +4,11 @@
 #include <random>
 
 #include "bob-weights/drilling.h"
+#include "bob-weights/solver.h"
 #include "core/bob-weights/quadrature.h"
 #include "doubted_jobs.h"
 #include "numerics/constants.h"
+#include "workshop/solver.h"
 
 namespace ravnoves::workshop {
 namespace {
@@ -401,6 +403,35 @@ TEST(Plan, CountsTheSlugThatIsThere) {
     slug.erase("slug_g");
     EXPECT_NEAR(number(pressed(), "/0/added_g"), 70, 1e-9);
     EXPECT_TRUE(pressed()[0].at("centrifugal_force_N").is_null());
+}
+
+TEST(Plan, JudgesAHoleThatIsTriedByItsOwnRules) {
+    using bob_weights::NoRoom;
+    Json input = card();
+    input["correction"]["earlier_runs"] = parse_json(R"([{"drilled": [
+        {"plane": "front", "diameter_mm": 16, "depth_mm": 28, "angle_deg": 100},
+        {"plane": "front", "diameter_mm": 20, "depth_mm": 20, "angle_deg": 220,
+         "slug_g": 110, "removed_g": -70, "direction": "axial"}]}])");
+    const Input job = read_input(input);
+    const Result result = solve(job);
+    const auto room = [&](double diameter, double depth, double angle) {
+        return what_if(job, result.shaft, bob_weights::PlaneName::front, diameter, depth, angle)
+            ->room;
+    };
+    const auto missing = [&](double angle_deg, double depth_mm) {
+        return room(0.016, 1e-3 * depth_mm, angle_deg * degree).missing;
+    };
+    // Apart at the rim, deep holes meet further in.
+    EXPECT_EQ(missing(117, 5), NoRoom::none);
+    EXPECT_EQ(missing(117, 28), NoRoom::beside_hole);
+    EXPECT_EQ(missing(220, 5), NoRoom::beside_hole) << "a slug is there";
+    EXPECT_EQ(missing(359.5, 5), NoRoom::in_sector);
+    EXPECT_EQ(missing(300, 30.1), NoRoom::too_deep);
+    EXPECT_NEAR(room(0.016, 0.005, 5.0).maximum_depth, 0.03, 1e-15);
+    for (const Hole& hole : result.shaft.correction->at(0).holes) {
+        EXPECT_TRUE(hole.deepens ||
+                    room(hole.diameter, hole.depth, hole.angle).missing == NoRoom::none);
+    }
 }
 
 TEST(Plan, PutsHolesAtTheHeavySpotWhateverTheMachineShows) {
