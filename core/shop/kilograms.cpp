@@ -96,7 +96,7 @@ std::optional<OddMass> odd_mass(const PartColumn& column) {
             // What the shop permits is no slip, however equal the others are.
             if (score && *score > max_score && away > min_away &&
                 off > column.permitted_spread.value_or(0.0) + rounding) {
-                scattered.push_back({i, *masses[i], usual, score});
+                scattered.push_back({i, *masses[i], usual, score, {}, true});
             }
             continue;
         }

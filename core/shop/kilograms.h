@@ -29,6 +29,8 @@ struct OddMass {
     /// Cylinders that are unlike theirs as well, as an equal slip makes them; half of them and more
     /// where there are two kinds.
     std::vector<std::size_t> also{};
+    /// Within a tenth of the others: no slip where the shop permits that range.
+    bool may_be_permitted = false;
 
     /// All of them, in order.
     std::vector<std::size_t> cylinders() const;

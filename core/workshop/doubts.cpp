@@ -135,27 +135,34 @@ Messages odd_mass(const DoubtCase& job) {
             return;
         }
         const Text name = shop::part_word(part).label;
-        if (!odd->also.empty()) {
-            list.emplace_back(Text::tr("%1: cylinders %2 differ from the others (%3, others %4). "
-                                       "Weigh them again or match the parts."),
-                              name, cylinders(odd->cylinders()), in_grams(odd->mass),
-                              in_grams(odd->usual));
-        } else if (odd->score) {
-            constexpr double maximum = 10.0;
-            list.emplace_back(
-                *odd->score > maximum
-                    ? Text::tr("%1: cylinder %2 weighs %3, the others about %4; the deviation is "
-                               "more than %5 times their scatter. Weigh it again or match the "
-                               "parts.")
-                    : Text::tr("%1: cylinder %2 weighs %3, the others about %4; the deviation is "
-                               "%5 times their scatter. Weigh it again or match the parts."),
-                name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual),
-                Number{std::min(*odd->score, maximum), units::none, -1, false, true});
-        } else {
-            list.emplace_back(Text::tr("%1: cylinder %2 weighs %3, the others about %4. Weigh it "
-                                       "again."),
-                              name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual));
-        }
+        constexpr double maximum = 10.0;
+        Message text =
+            !odd->also.empty()
+                ? Message(Text::tr("%1: cylinders %2 differ from the others (%3, others %4). "
+                                   "Weigh them again or match the parts."),
+                          name, cylinders(odd->cylinders()), in_grams(odd->mass),
+                          in_grams(odd->usual))
+            : odd->score
+                ? Message(
+                      *odd->score > maximum
+                          ? Text::tr(
+                                "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
+                                "more than %5 times their scatter. Weigh it again or match the "
+                                "parts.")
+                          : Text::tr(
+                                "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
+                                "%5 times their scatter. Weigh it again or match the parts."),
+                      name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual),
+                      Number{std::min(*odd->score, maximum), units::none, -1, false, true})
+                : Message(Text::tr("%1: cylinder %2 weighs %3, the others about %4. Weigh it "
+                                   "again."),
+                          name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual));
+        list.push_back(odd->may_be_permitted
+                           ? shop::two_sentences(
+                                 std::move(text),
+                                 Text::tr("If the difference is permitted, enter the “permitted "
+                                          "range” of the column."))
+                           : std::move(text));
     });
     return list;
 }

@@ -9386,6 +9386,14 @@
         <translation>%1: цилиндр %2 — %3, остальные около %4. Взвесьте снова.</translation>
     </message>
     <message>
+        <source>If the difference is permitted, enter the “permitted range” of the column.</source>
+        <translation>Если разница допустима, задайте «допустимый размах» этого столбца.</translation>
+    </message>
+    <message>
+        <source>%1: a slug of ⌀ %2 that is %3 long tilts when pressed in; it should be at least %4 long. Use a smaller slug diameter.</source>
+        <translation>%1: вставку ⌀ %2 длиной %3 перекосит при запрессовке; длина должна быть не меньше %4. Возьмите вставку меньшего диаметра.</translation>
+    </message>
+    <message>
         <source>Rods of cylinders %1: the big end weighs less than the small end. Swap the columns or weigh the rods again.</source>
         <translation>Шатуны цилиндров %1: нижняя головка легче верхней. Поменяйте столбцы местами или взвесьте шатуны снова.</translation>
     </message>

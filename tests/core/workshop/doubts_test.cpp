@@ -407,6 +407,23 @@ TEST(Doubts, NameThePlanesAsTheMachineDoes) {
     }
 }
 
+TEST(Doubts, OfAnOddPartNameThePermittedRangeWhereItHelps) {
+    Json input = weighed_card();
+    Json& rings = input["weigh_in"]["rings"];
+    const auto said = [&](double mass) {
+        rings["mass_g"] = {70, 70, 70, mass, 70, 70, 70, 70};
+        const Json doubts = solved(input).at("doubts");
+        return doubts.empty() ? "" : doubts[0].at("text").get<std::string>();
+    };
+    constexpr std::string_view remedy =
+        "If the difference is permitted, enter the “permitted range” of the column.";
+    EXPECT_TRUE(said(71).ends_with(remedy)) << said(71);
+    EXPECT_FALSE(said(80).ends_with(remedy)) << said(80);
+    rings["permitted_spread_g"] = 1;
+    EXPECT_EQ(said(71), "");
+    EXPECT_NE(said(80), "");
+}
+
 TEST(Doubts, AreNoneWhereNothingIsOdd) {
     Json slow = card();
     slow["tolerance"]["service_speed_rpm"] = 1500;
