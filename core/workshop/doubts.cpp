@@ -811,6 +811,30 @@ Messages deep_holes(const DoubtCase& job) {
     return list;
 }
 
+/// Shorter than its radius a slug tilts while it is pressed in.
+Messages short_slugs(const DoubtCase& job) {
+    constexpr double minimum = 0.5;  // of the diameter
+    constexpr double rounding = 1e-9;
+    const auto& planned = job.shaft.correction;
+    return of_planes([&](std::size_t i) -> Message {
+        const bob_weights::Hole* shortest = nullptr;
+        for (std::size_t k = 0; planned && k < (*planned)[i].slugs.size(); ++k) {
+            const bob_weights::Hole& slug = (*planned)[i].slugs[k];
+            if (slug.depth < minimum * slug.diameter - rounding &&
+                (shortest == nullptr || slug.depth < shortest->depth)) {
+                shortest = &slug;
+            }
+        }
+        if (shortest == nullptr) {
+            return {};
+        }
+        return {Text::tr("%1: a slug of ⌀ %2 that is %3 long tilts when pressed in; it should be "
+                         "at least %4 long. Use a smaller slug diameter."),
+                plane_name(job, i), millimetres(shortest->diameter), millimetres(shortest->depth),
+                millimetres(minimum * shortest->diameter)};
+    });
+}
+
 /// Of two counterweights neither reaches twice as far as the other.
 Messages unlike_radii(const DoubtCase& job) {
     constexpr double maximum = 1.8;
@@ -990,6 +1014,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-deep", warning, nothing, "", drilled_too_deep<false>},
         {"left-and-right", warning, nothing, "", swapped_planes<false>},
         {"beyond-sector", warning, nothing, "", beyond_sector},
+        {"short-slug", warning, nothing, "", short_slugs},
         {"all-round", warning, nothing, "", all_round},
     };
     return rules;

@@ -165,6 +165,13 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
         {"reading-in-grams",
          {card, {{"/correction/readings", Json::array({read(35, 120), read(20, 250)})}}}},
         {"drill-size", {card, {{"/correction/drill/diameters_mm", {10.12, 12.7, 9.53, 8.25}}}}},
+        // Beside the sector nothing can be drilled, and little is to be pressed in opposite.
+        {"short-slug",
+         {card,
+          {{"/correction/readings/0", read(600, 40)},
+           {"/correction/planes/0/from_deg", 130},
+           {"/correction/planes/0/to_deg", 300},
+           {"/correction/slug", {{"diameter_mm", 25}, {"density_kg_m3", 17'500}}}}}},
         {"all-round",
          {card,
           {{"/correction/planes/0/from_deg", nullptr}, {"/correction/planes/0/to_deg", nullptr}}}},
