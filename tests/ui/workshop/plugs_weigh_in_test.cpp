@@ -35,6 +35,22 @@ TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
     EXPECT_EQ(rows.filter(u"weigh-in"_s).size(), 0);
 }
 
+TEST_F(PlugsPageTest, AReportNamesOverriddenValuesAsTheForm) {
+    Json input = model->inputJson();
+    input["plugs"]["engine"] = "4.25 l";
+    input["plugs"]["engine_overrides"] = {{"steel_plug_mass_g", 28.5}, {"oil_mass_g", 20}};
+    model->loadInput(input, {});
+    QStringList rows;
+    for (const paper::Table& table : inputTables(*model)) {
+        for (const QStringList& row : table.rows) {
+            rows << row.join(u'|');
+        }
+    }
+    EXPECT_EQ(rows.filter(u"One steel plug mₚ|28.5|g|"_s).size(), 1)
+        << qPrintable(rows.join(u'\n'));
+    EXPECT_EQ(rows.filter(u"Oil of one crankpin mₘ|20|g|"_s).size(), 1);
+}
+
 TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
     show(WeighInTab);
     type("nominal_piston", u"600"_s);
