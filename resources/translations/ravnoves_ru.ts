@@ -495,6 +495,10 @@
         <translation>Не принято, используется прежнее значение: %1</translation>
     </message>
     <message>
+        <source>Do not drill or machine: holes and plug work are not printed until these entries are corrected.</source>
+        <translation>Не сверлить и не растачивать: отверстия и работа с заглушками не печатаются, пока эти значения не исправлены.</translation>
+    </message>
+    <message>
         <source>Options by cost</source>
         <translation>Варианты по стоимости</translation>
     </message>

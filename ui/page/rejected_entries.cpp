@@ -18,14 +18,16 @@ QString said(const char* text) {
     return QCoreApplication::translate("ravnoves::RejectedEntries", text);
 }
 
-QStringList rejectedOf(const QWidget* part, bool ofResultAlone) {
+QStringList rejectedOf(const QWidget* part, bool ofResultAlone, const Retold& retold) {
     while (qobject_cast<const ScenePage*>(part) == nullptr && part->parentWidget() != nullptr) {
         part = part->parentWidget();
     }
     QStringList rejected;
     for (const EntryField* field : part->findChildren<EntryField*>()) {
         if (!field->trouble().isEmpty() && (field->isOfResult() || !ofResultAlone)) {
-            rejected << field->accessibleName() + QStringLiteral(": ") + field->trouble();
+            rejected << (retold
+                             ? retold(*field)
+                             : field->accessibleName() + QStringLiteral(": ") + field->trouble());
         }
     }
     const auto* model = part->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly);
@@ -41,12 +43,12 @@ QStringList rejectedOf(const QWidget* part, bool ofResultAlone) {
 
 }  // namespace
 
-QStringList rejectedEntries(const QWidget* part) {
-    return rejectedOf(part, false);
+QStringList rejectedEntries(const QWidget* part, const Retold& retold) {
+    return rejectedOf(part, false, retold);
 }
 
-QStringList rejectedInputs(const QWidget* part) {
-    return rejectedOf(part, true);
+QStringList rejectedInputs(const QWidget* part, const Retold& retold) {
+    return rejectedOf(part, true, retold);
 }
 
 QString rejectedWords(const QWidget* part) {

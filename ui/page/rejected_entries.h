@@ -1,16 +1,21 @@
 #pragma once
 
 #include <QStringList>
+#include <functional>
 
 class QWidget;
 
 namespace ravnoves {
 
+class EntryField;
+/// A rejected field in another language than the program's, in which its sentence is.
+using Retold = std::function<QString(const EntryField&)>;
+
 /// Rejected texts in the part's fields and in the tables of the page and of its tolerances: "Crank
 /// radius r, mm: The value must be greater than 0 mm."
-QStringList rejectedEntries(const QWidget* part);
+QStringList rejectedEntries(const QWidget* part, const Retold& retold = {});
 /// The rejected ones that results depend on: not the date of a job.
-QStringList rejectedInputs(const QWidget* part);
+QStringList rejectedInputs(const QWidget* part, const Retold& retold = {});
 
 /// The same as a paragraph for a question; empty where nothing is rejected.
 QString rejectedWords(const QWidget* part);

@@ -40,6 +40,9 @@ class EntryField : public QLineEdit {
     void setHint(const QString& hint);
     /// Its value may be outdated: it has a yellow frame, unless an entry is wrong.
     void setDoubtful(bool isDoubtful);
+    /// The field's label as core has it, for texts in other languages; empty without one.
+    void setLabel(const Text& label) { label_ = label; }
+    const Text& label() const { return label_; }
     bool isDoubtful() const { return isDoubtful_; }
     /// Whether results depend on it; where not, they stay up to date while its text is rejected.
     void setIsOfResult(bool isOfResult) { isOfResult_ = isOfResult; }
@@ -103,6 +106,7 @@ class EntryField : public QLineEdit {
     void showTrouble(const QString& trouble);
 
     QPointer<SceneModel> model_;
+    Text label_{};
     QString hint_;
     QString trouble_;
     QString howRead_;

@@ -19,6 +19,7 @@ NumberField::NumberField(QWidget* parent) : ValueEntry(parent) {
 NumberField::NumberField(const Field& field, QWidget* parent) : NumberField(parent) {
     setShownUnit(shownUnit(field));
     setRange(field.range, unit_);
+    setLabel(field.label);
     setHint(fieldHint(field));
     setPlaceholderText(shownText(field.placeholder));
     setAccessibleName(unit_.isEmpty() ? fieldName(field)

@@ -125,7 +125,8 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
 }
 
 /// What the machine read, run by run, and lines for what it will read.
-Block runBlock(const Words& words, const WorkshopModel& model) {
+/// @param isJudged  false: the newest readings may be others, they have no verdict
+Block runBlock(const Words& words, const WorkshopModel& model, bool isJudged) {
     const std::optional<Correction>& correction = model.input().correction;
     const auto& runs = model.solution().runs;
     const std::size_t first = first_run(correction);
@@ -147,7 +148,7 @@ Block runBlock(const Words& words, const WorkshopModel& model) {
                     : reading.angle ? words.digits(*reading.angle, units::degree, 1)
                                     : byHand);
         }
-        const QString verdict = run < runs.size()
+        const QString verdict = run < runs.size() && (isJudged || run + 1 < runs.size())
                                     ? verdictText(words, readWord(runs[run], runs[run].passes()))
                                     : QString();
         row << (verdict.isEmpty() ? byHand : verdict);
@@ -403,11 +404,11 @@ class Card {
         constexpr int largest = 35;
         const workshop::Withheld withheld = model_.withheld();
         const QString verdict =
-            withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
+            withheld.any() || isOutdated() ? QString() : verdictText(words_, model_.verdictNow());
         const QString colour = withheld.any() ? red : !rejectedOfResult_.isEmpty() ? amber : ink;
         const bool isKnown = model_.solution().bob_weight.has_value();
         QStringList more{isKnown && !model_.hasPlugs() ? model_.factorText(words_) : QString(),
-                         model_.boringText(words_)};
+                         isOutdated() ? QString() : model_.boringText(words_)};
         if (model_.isMean()) {
             more << model_.placedText(words_);
         }
@@ -422,9 +423,15 @@ class Card {
                                              : 16,
                          true, colour) +
                    lines(model_.hangText(words_), 15) + lines(verdict, large, true) +
-                   lines(model_.adviceText(words_), 16, true) +
+                   lines(isOutdated() ? QString() : model_.adviceText(words_), 16, true) +
                    lines(more.join(QLatin1Char(' ')), 11) +
                    lines(rejectedOfResult_, 13, true, amber);
+        if (isOutdated()) {
+            content += lines(words_.translate("JobCard",
+                                              "Do not drill or machine: holes and plug work are "
+                                              "not printed until these entries are corrected."),
+                             13, true, red);
+        }
         for (const QString& each : model_.troubles(words_, true)) {
             content += lines(each, 13, true, amber);
         }
@@ -432,6 +439,19 @@ class Card {
                                                       "padding: 4px 11px; border: %1px solid %2")
                                            .arg(colour == ink ? 1 : 4)
                                            .arg(colour)));
+    }
+
+    /// An entry that results depend on is rejected: holes and plugs by the value before it would
+    /// be machined wrong.
+    bool isOutdated() const { return !rejectedOfResult_.isEmpty(); }
+
+    /// The crankshaft, with holes to drill if the card may have them.
+    Result shaft() const {
+        Result shaft = model_.solution();
+        if (isOutdated()) {
+            shaft.correction.reset();
+        }
+        return shaft;
     }
 
     /// Each plane as a clock with its holes below.
@@ -443,11 +463,10 @@ class Card {
             names << lines(model_.planeName(plane, words_), 14, true);
             const QSize size(320, 164);
             pictures << paper_.picture(
-                {{}, {}, size, [&model = model_, plane, size](QPainter& painter) {
+                {{}, {}, size, [&model = model_, shaft = shaft(), plane, size](QPainter& painter) {
                      const QColor black(ink);
                      const QColor hair(0x99, 0x99, 0x99);
-                     drawPlane(painter, QRectF(QPointF(), size),
-                               {model.input(), model.solution(), plane},
+                     drawPlane(painter, QRectF(QPointF(), size), {model.input(), shaft, plane},
                                {.line = black,
                                 .thin = hair,
                                 .text = black,
@@ -460,6 +479,10 @@ class Card {
                                 .font = Theme::font(9),
                                 .lineWidth = 1.1});
                  }});
+            if (isOutdated()) {
+                holes << QString();
+                continue;
+            }
             Results found = model_.holeResults(words_, plane);
             paper::Table table = paper::tableOf(found);
             table.widths = {36, 26, 16, 22};
@@ -478,7 +501,7 @@ class Card {
 
     /// The first page, with room to write on and lines to sign on.
     void forTheMachine() {
-        const Result& shaft = model_.solution();
+        const Result shaft = this->shaft();
         const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
                                           [](const RunResult& run) { return run.is_drilled(); });
         const bool hasClocks = shaft.correction || hasMetal;
@@ -500,7 +523,7 @@ class Card {
             blocks.back().say(model_.holeNote(words_) + QLatin1Char(' ') +
                               model_.metalsText(words_));
         }
-        blocks.push_back(runBlock(words_, model_));
+        blocks.push_back(runBlock(words_, model_, !isOutdated()));
         blocks.back().say(model_.limitText(words_));
         const std::optional<Correction>& correction = model_.input().correction;
         if (correction && correction->planes.size() == 2 && correction->readings.size() == 2) {
@@ -546,7 +569,7 @@ class Card {
             }
         }
         std::vector<Block> blocks;
-        if (model_.plugs() != nullptr) {
+        if (model_.plugs() != nullptr && !isOutdated()) {
             blocks = plugBlocks(words_, model_);
         }
         std::ranges::move(weighedBlocks(words_, model_), std::back_inserter(blocks));
@@ -560,7 +583,7 @@ class Card {
 
     /// Nothing of one that cannot be made: a drawing with sizes would be machined.
     QString plug() {
-        if (model_.plugs() == nullptr) {
+        if (model_.plugs() == nullptr || isOutdated()) {
             return {};
         }
         const auto planned = plannedPlug(*model_.plugsInput(), *model_.plugs());

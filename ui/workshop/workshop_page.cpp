@@ -487,7 +487,17 @@ void WorkshopPage::restoreFrom(const QString& file) {
 }
 
 Paper WorkshopPage::card() {
-    return jobCard(*model_, desk()->cardWords(), rejectedEntries(this), rejectedInputs(this));
+    const Words words = desk()->cardWords();
+    const QString& language = desk()->cardLanguage();
+    Retold retold;
+    if (!language.isEmpty() && language != currentLanguage()) {
+        retold = [&](const EntryField& field) {
+            const QString name = words.text(field.label()).remove(QLatin1Char('&'));
+            const QString typed = words.locale().quoteString(field.text());
+            return name.isEmpty() ? typed : name + QStringLiteral(": ") + typed;
+        };
+    }
+    return jobCard(*model_, words, rejectedEntries(this, retold), rejectedInputs(this, retold));
 }
 
 bool WorkshopPage::saveJob(bool isFinished) {

@@ -143,6 +143,7 @@ EntryField* WorkshopSheet::checked(const Field& description, const CheckedText& 
                                   ? text.shown(example)
                                   : shownText(description.placeholder));
     enlarge(field);
+    field->setLabel(description.label);
     field->setHint(fieldHint(description));
     field->setModel(model_);
     field->setIsOfResult(text.isOfResult);

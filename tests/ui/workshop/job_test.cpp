@@ -820,6 +820,18 @@ TEST_F(ReadJobTest, LimitsComeByGradeOrByHand) {
     EXPECT_EQ(label("rejected"), QString());
 }
 
+TEST_F(ReadJobTest, ARejectedReadingLeavesNoHoleOnTheCard) {
+    const QString takesOff = model->holeResults().columns[3].heading;
+    ASSERT_TRUE(model->solution().is_planned());
+    const QStringList ofHoles{takesOff, u"After correction"_s};
+    ASSERT_TRUE(hasAll(card(), ofHoles));
+    const QString printed = card({u"Unbalance: no number"_s});
+    EXPECT_TRUE(has(printed.simplified(), u"Do not drill or machine"_s));
+    for (const QString& each : ofHoles) {
+        EXPECT_FALSE(has(printed, each));
+    }
+}
+
 TEST_F(ReadJobTest, JournalAndCard) {
     type("engine_number", u"ZMZ-53 7"_s);
     save();

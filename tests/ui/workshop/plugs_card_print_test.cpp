@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QSettings>
 
+#include "core/workshop/support.h"
 #include "job_page_test.h"
 #include "workshop/workshop_card.h"
 
@@ -81,6 +82,25 @@ TEST_F(PlugsPageTest, ShopStandsOnTheCard) {
     ASSERT_EQ(page.writeCard(file), QString());
     EXPECT_TRUE(textOfPdf(file).contains(u"Номер двигателя"_s));
     QSettings().remove(u"workshop"_s);
+}
+
+TEST_F(PlugsPageTest, ARejectedEntryIsOnTheCardInItsLanguageAndLeavesNoPlugWork) {
+    model->loadInput(workshop::test::plugs_card(), {});
+    const QString file = QDir(folder.path()).filePath(u"rejected.pdf"_s);
+    ASSERT_EQ(page.writeCard(file), QString());
+    EXPECT_TRUE(has(textOfPdf(file).simplified(), u"off each of the 8"_s));
+    type("steel_plug_mass_g", u"28x"_s);
+    const QString trouble = field("steel_plug_mass_g")->trouble();
+    ASSERT_FALSE(trouble.isEmpty());
+    ASSERT_EQ(page.writeCard(file), QString());
+    EXPECT_TRUE(has(textOfPdf(file).simplified(), trouble));
+    EXPECT_FALSE(has(textOfPdf(file).simplified(), u"off each of the 8"_s));
+    model->desk()->setCardLanguage(u"ru"_s);
+    ASSERT_EQ(page.writeCard(file), QString());
+    const QString russian = textOfPdf(file).simplified();
+    EXPECT_FALSE(has(russian, trouble));
+    EXPECT_TRUE(has(russian, u"«28x»"_s)) << qPrintable(russian);
+    EXPECT_TRUE(has(russian, u"Не сверлить и не растачивать"_s));
 }
 
 TEST_F(PlugsPageTest, TheCardWithholdsWhatThePageWithholds) {
