@@ -5371,11 +5371,11 @@
     </message>
     <message>
         <source>The two rollers overlap (%1): diameter %2, minimum distance of their centres %3. Rollers and spring need separate planes.</source>
-        <translation>Ролики перекрываются (%1): диаметр %2, наименьшее расстояние между центрами %3. Роликам и пружине нужны разные плоскости.</translation>
+        <translation>Ролики перекрываются (%1): диаметр %2, минимальное расстояние между центрами %3. Роликам и пружине нужны разные плоскости.</translation>
     </message>
     <message>
         <source>The spring is compressed from %1 to %2; minimum length: %3.</source>
-        <translation>Пружина сжата с %1 до %2; наименьшая длина — %3.</translation>
+        <translation>Пружина сжата с %1 до %2; минимальная длина — %3.</translation>
     </message>
     <message>
         <source>∮ M₁₂ dφ</source>
