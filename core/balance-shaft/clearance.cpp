@@ -276,6 +276,9 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
     others.centre_distance_max.reset();
     answer.stretches = clear_angles(ShaftPlaces(view, others), distance);
     if (answer.stretches.empty()) {
+        answer.reason = contradiction(others);
+    }
+    if (answer.stretches.empty() && answer.reason.empty()) {
         answer.reason = contradiction_at(distance, limits);
     }
     if (answer.stretches.empty() && answer.reason.empty()) {

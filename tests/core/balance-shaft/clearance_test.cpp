@@ -235,6 +235,12 @@ TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
          }},
         {"At the centre distance 100.2 mm no angle is within the limits: Minimum x 110 mm.",
          [](Input& i) { i.place_limits.left = 0.11; }},
+        {"The limits contradict each other: α from 200°, α to 250°, Minimum x 60 mm.",
+         [](Input& i) {
+             i.place_limits.shaft_angle_from = 200 * degree;
+             i.place_limits.shaft_angle_to = 250 * degree;
+             i.place_limits.left = 0.06;
+         }},
         {"The limits contradict each other: Maximum l 90 mm, Minimum x 110 mm.", [](Input& i) {
              i.place_limits.centre_distance_max = 0.09;
              i.place_limits.left = 0.11;
