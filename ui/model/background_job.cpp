@@ -72,6 +72,7 @@ void BackgroundJob::launch() {
 }
 
 void BackgroundJob::run(const std::shared_ptr<std::atomic<bool>>& stop) {
+    stopOfWork_ = stop;
     Work work;
     {
         const std::lock_guard lock(mutex_);
@@ -110,7 +111,7 @@ void BackgroundJob::post(std::function<void()> telling) {
 }
 
 void BackgroundJob::tellSoFar(std::function<void()> telling) {
-    post([stop = stop_, telling = std::move(telling)] {
+    post([stop = stopOfWork_, telling = std::move(telling)] {
         if (!*stop) {
             telling();
         }

@@ -70,7 +70,8 @@ class BackgroundJob : public QObject {
     std::mutex mutex_;  ///< of work_ and told_
     Work work_;         ///< to be run
     std::vector<std::function<void()>> reports_;
-    std::thread thread_;  ///< of one run
+    std::thread thread_;                             ///< of one run
+    std::shared_ptr<std::atomic<bool>> stopOfWork_;  ///< the thread's own
 };
 
 }  // namespace ravnoves

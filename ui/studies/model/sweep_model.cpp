@@ -284,12 +284,13 @@ void SweepModel::start() {
     CaseFile file = scene.caseFile();
     scene.giveDefaults(file.input, {wanted_.sweep.input});
     file.study = studies::write_study(wanted_.study);
-    job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context()](
+    job_->start([this, job = job_, sweep = wanted_.sweep, file = std::move(file),
+                 context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
         auto found = solvedOnce<Sweep>(problem, 1, [&] {
-            return computed(sweep, problem, progress, [this](const Sweep& soFar) {
-                job_->tellSoFar([this, soFar] { show(soFar, true); });
+            return computed(sweep, problem, progress, [this, job](const Sweep& soFar) {
+                job->tellSoFar([this, soFar] { show(soFar, true); });
             });
         });
         if (!found) {
