@@ -115,6 +115,11 @@ Message named(const PlaceLimits& limits) {
 
 /// Why no angle at a centre distance is within the limits; empty where one is.
 Message contradiction_at(double distance, PlaceLimits limits) {
+    limits.centre_distance_min.reset();
+    limits.centre_distance_max.reset();
+    if (Message at_any = contradiction(limits); !at_any.empty()) {
+        return at_any;
+    }
     limits.centre_distance_min = limits.centre_distance_max = distance;
     if (!leave_no_place(limits)) {
         return {};
@@ -276,9 +281,6 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
     others.centre_distance_max.reset();
     answer.stretches = clear_angles(ShaftPlaces(view, others), distance);
     if (answer.stretches.empty()) {
-        answer.reason = contradiction(others);
-    }
-    if (answer.stretches.empty() && answer.reason.empty()) {
         answer.reason = contradiction_at(distance, limits);
     }
     if (answer.stretches.empty() && answer.reason.empty()) {

@@ -183,7 +183,6 @@ class CompressionLine {
             right += row * wanted;
             squares += wanted * wanted;
         }
-        double cost = 0.0;
         for (int k = 0; k < parameters; ++k) {
             const Prior& prior = priors[static_cast<std::size_t>(k)];
             const double weight = 1.0 / (prior.spread * prior.spread);
@@ -192,7 +191,7 @@ class CompressionLine {
             squares += weight * prior.mean * prior.mean;
         }
         solution_ = normal.ldlt().solve(right);
-        cost = squares - right.dot(solution_);
+        const double cost = squares - right.dot(solution_);
         const double ratio = (log_ratio - log_ratio_.mean) / log_ratio_.spread;
         return cost + ratio * ratio;
     }
@@ -338,7 +337,6 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
 
     DeadCentre centre;
     centre.is_motored = is_motored;
-    centre.angle = fit.centre_deg * degree;
     constexpr double model_spread = 0.1;  // °
     centre.uncertainty = 2.0 * std::hypot(fit.spread_deg, model_spread) * degree;
     centre.loss_angle = fit.loss_deg * degree;

@@ -274,8 +274,7 @@ std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const 
                           {level, found->value, found->place});
         }
     }
-    // What another beats, or equals within rounding, is left out; no shaft, of no size, beats
-    // some.
+    // What another beats, or equals within rounding, is left out.
     std::stable_sort(front.begin(), front.end(), [](const auto& a, const auto& b) {
         return a.criteria.size < b.criteria.size;
     });

@@ -54,7 +54,7 @@ struct Result {
     std::optional<GuideProposal> proposal;  ///< for the crank's guide, where the input asks
 
     std::vector<Message> notes;        ///< sentences the user should read
-    std::vector<Message> guide_notes;  ///< of the crank's guide
+    std::vector<Message> guide_notes;  ///< of the guides
 
     std::shared_ptr<const Design> design;
 };
