@@ -103,10 +103,5 @@ TEST_P(ElasticHingeEnergy, RiseKeepsItsDigitsNearZero) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutCounterweight, ElasticHingeEnergy, testing::Bool());
 
-TEST(ElasticHingeEnergyOfThePaper, InertiaAtZeroIsThePrintedOne) {
-    const double expected = 0.05 * 0.05 * (5 + 6.5) / (3 * 9.82);
-    EXPECT_NEAR(inertia_at(test::zotov_mechanism<double>(), 0.0).value, expected, 1e-18);
-}
-
 }  // namespace
 }  // namespace ravnoves::elastic_hinge

@@ -138,20 +138,6 @@ TEST_P(ElasticHingeExport, DxfReadsBackClosedAndWithinItsTolerance) {
     }
 }
 
-TEST_P(ElasticHingeExport, FinerToleranceTakesMorePointsAsItsSquareRoot) {
-    const Guide guide = deep_guide(GetParam());
-    GuideDrawing drawing;
-    drawing.branch = GetParam();
-    drawing.chord_tolerance = 16e-6;
-    const auto points = [&] {
-        return read_back(guide_dxf(guide, drawing)).polylines.at("PROFILE").points.size();
-    };
-    const auto coarse = points();
-    drawing.chord_tolerance = 1e-6;
-    const auto fine = points();
-    EXPECT_NEAR(static_cast<double>(fine) / static_cast<double>(coarse), 4.0, 1.5);
-}
-
 TEST_P(ElasticHingeExport, CsvHoldsTheSameCurve) {
     const Guide guide = deep_guide(GetParam());
     GuideDrawing drawing;
@@ -186,23 +172,6 @@ TEST_P(ElasticHingeExport, CsvHoldsTheSameCurve) {
 
 INSTANTIATE_TEST_SUITE_P(BothBranches, ElasticHingeExport,
                          testing::Values(Branch::compressed, Branch::stretched));
-
-TEST(ElasticHingeExportOfTheRod, UsesTheHingesOwnAngle) {
-    Input input = preset_zotov();
-    input.spring = Spring{2e5, 0.2, 0.085};
-    const Guide guide = solve(input).rod_guide;
-    ASSERT_TRUE(guide.feasible) << guide.reason.english();
-    GuideDrawing drawing;
-    drawing.guide_turns = false;
-    std::stringstream stream(guide_csv(guide, drawing, 90));
-    std::string line;
-    std::getline(stream, line);
-    std::getline(stream, line);
-    std::getline(stream, line);  // 90°: θ = 90° + asin 0.3
-    EXPECT_EQ(line.substr(0, 3), "90,");
-    EXPECT_NEAR(std::stod(line.substr(3)), 90 + std::asin(0.3) / degree, 1e-9);
-    EXPECT_TRUE(read_back(guide_dxf(guide, drawing)).polylines.at("PROFILE").closed);
-}
 
 TEST(ElasticHingeExportRejections, SayWhy) {
     Input input = preset_zotov();

@@ -1,7 +1,6 @@
 #include "elastic-hinge/guide.h"
 
 #include <algorithm>
-#include <boost/numeric/odeint.hpp>
 #include <optional>
 #include <tuple>
 
@@ -12,8 +11,6 @@
 
 namespace ravnoves::elastic_hinge {
 namespace {
-
-using test::Fifty;
 
 /// A spring so soft that the guide has a relief of millimetres.
 Input soft_zotov() {
@@ -34,10 +31,12 @@ TEST(ElasticHingeGuide, PrintedNumbersOfThePaper) {
     EXPECT_NEAR(guide.minimum_preload, 0.600e-3, 0.0005e-3);
 }
 
+/// As printed the spring stores what the mechanism takes up, too.
 TEST(ElasticHingeGuide, SpringAndMechanismKeepTheirEnergyOnBothBranches) {
-    for (const double rho : {0.09, 0.11}) {
+    for (const auto& [rho, sign] : {std::pair(0.09, 1.0), {0.11, 1.0}, {0.09, -1.0}}) {
         Input input = soft_zotov();
         input.spring->guide_radius_at_zero = rho;
+        input.guide_sign = sign > 0.0 ? GuideSign::energy : GuideSign::as_printed;
         const Result result = solve(input);
         const GuideShape& shape = *result.crank_guide.shape;
         EXPECT_EQ(result.crank_guide.branch, rho < 0.1 ? Branch::compressed : Branch::stretched);
@@ -46,72 +45,10 @@ TEST(ElasticHingeGuide, SpringAndMechanismKeepTheirEnergyOnBothBranches) {
             for (int i = 0; i < 360; ++i) {
                 const double phi = i * degree;
                 const double sum = test::energy_in(shape, shape.at(branch, phi).radius) +
-                                   energy_at(*result.design, phi);
+                                   sign * energy_at(*result.design, phi);
                 EXPECT_NEAR(sum, total, 1e-13 * total);
             }
         }
-    }
-}
-
-TEST(ElasticHingeGuide, AsPrintedStoresWhatTheMechanismTakesUp) {
-    Input input = soft_zotov();
-    input.guide_sign = GuideSign::as_printed;
-    const Result result = solve(input);
-    const GuideShape& shape = *result.crank_guide.shape;
-    const double total = test::energy_in(shape, 0.09);
-    for (int i = 0; i < 360; ++i) {
-        const double phi = i * degree;
-        EXPECT_NEAR(test::energy_in(shape, shape.at(Branch::compressed, phi).radius) -
-                        energy_at(*result.design, phi),
-                    total, 1e-13 * total);
-    }
-}
-
-TEST(ElasticHingeGuide, ClosedFormSolvesTheEquationThatDefinesIt) {
-    // (2) by a fixed-step method of order 4: the difference from the closed form falls so.
-    const Result result = solve(soft_zotov());
-    const GuideShape& shape = *result.crank_guide.shape;
-    const double end = 2.0;
-    double before = 0.0;
-    for (const int steps : {40, 80, 160}) {
-        boost::numeric::odeint::runge_kutta4<double> stepper;
-        double rho = 0.09;
-        boost::numeric::odeint::integrate_n_steps(
-            stepper,
-            [&](const double& x, double& dx, double phi) {
-                dx = result.design->demand(Hinge::crank, phi).moment /
-                     (2.0 * shape.spring().stiffness * (shape.spring().free_length - 2.0 * x));
-            },
-            rho, 0.0, end / steps, static_cast<std::size_t>(steps));
-        const double error = std::abs(rho - shape.at(Branch::compressed, end).radius);
-        if (before > 0.0) {
-            EXPECT_NEAR(std::log2(before / error), 4.0, 0.5);
-        }
-        before = error;
-    }
-    EXPECT_LT(before, 1e-9);
-}
-
-/// (3) as printed, of a compressed spring.
-template <typename Scalar>
-Scalar printed_radius(const Spring& spring, const Scalar& q) {
-    const Scalar l(spring.free_length);
-    const Scalar rho(spring.guide_radius_at_zero);
-    return l / 2 - sqrt(Scalar(l * l / 4 - (l * rho - rho * rho + q)));
-}
-
-TEST(ElasticHingeGuide, StableFormKeepsDigitsWhereThePrintedOneLosesThem) {
-    // The spring is almost unloaded (ρ₀ near ℓ₀/2) or almost fully pressed (ρ₀ small).
-    const struct { double rho, q; } cases[] = {{0.1 - 1e-7, 3e-15}, {1e-9, -1e-12}, {0.09, 1e-13}};
-    for (const auto& c : cases) {
-        const Spring spring{2e7, 0.2, c.rho};
-        const Fifty truth = printed_radius(spring, Fifty(c.q));
-        const Fifty stable = abs(Fifty(guide_radius(spring, Branch::compressed, c.q)) / truth - 1);
-        const Fifty naive = abs(Fifty(printed_radius(spring, c.q)) / truth - 1);
-        EXPECT_LT(stable, 3e-16);
-        // Relief is what is left of ρ after ρ₀: there the printed form loses even more.
-        const Fifty relief = truth - Fifty(c.rho);
-        EXPECT_GT(abs(naive * truth / relief), 100 * 2.3e-16) << c.rho;
     }
 }
 
@@ -167,12 +104,6 @@ TEST(ElasticHingeGuide, TooLittlePreloadIsRejectedWithWhatWouldDo) {
     EXPECT_GE(shown, guide.minimum_preload / units::mm - 1e-9);
     EXPECT_LT(shown, guide.minimum_preload / units::mm + 1e-4);
 
-    Input preloaded = input;
-    preloaded.spring->guide_radius_at_zero = 0.1 - guide.minimum_preload * (1 + 1e-9);
-    EXPECT_TRUE(solve(preloaded).crank_guide.feasible);
-    preloaded.spring->guide_radius_at_zero = 0.1 - guide.minimum_preload * (1 - 1e-6);
-    EXPECT_FALSE(solve(preloaded).crank_guide.feasible);
-
     Input stiffer = input;
     ASSERT_TRUE(guide.minimum_stiffness);
     stiffer.spring->stiffness = *guide.minimum_stiffness * (1 + 1e-9);
@@ -202,14 +133,6 @@ TEST(ElasticHingeGuide, SpringPressedToNothingIsRejected) {
     EXPECT_FALSE(guide.feasible);
     EXPECT_FALSE(guide.lacks_preload);
     EXPECT_TRUE(guide.stretched.exists);
-}
-
-TEST(ElasticHingeGuide, NoSpringIsAReason) {
-    Input input = preset_zotov();
-    input.spring.reset();
-    const Guide guide = solve(input).crank_guide;
-    EXPECT_FALSE(guide.feasible);
-    EXPECT_FALSE(guide.reason.empty());
 }
 
 TEST(ElasticHingeGuide, CurvatureOfACircleIsItsInverseRadius) {
@@ -300,18 +223,9 @@ TEST(ElasticHingeGuide, RollersThatOverlapAreDoubted) {
             }
         }
     }
-    input.roller_radius = 0.06;
-    const Result result = solve(input);
-    EXPECT_NE(
-        verdict(input, result)
-            .text.english()
-            .find("overlap (the crank's hinge): diameter 120 mm, minimum distance of their centres "
-                  "99.5999 mm"),
-        std::string::npos)
-        << verdict(input, result).text.english();
     GuideDrawing drawing;
-    drawing.roller_radius = input.roller_radius;
-    EXPECT_NE(guide_dxf(result.crank_guide, drawing).find("WARNING: The two rollers overlap"),
+    drawing.roller_radius = 0.06;
+    EXPECT_NE(guide_dxf(smooth.crank_guide, drawing).find("WARNING: The two rollers overlap"),
               std::string::npos);
 }
 
@@ -421,17 +335,6 @@ TEST(ElasticHingeGuide, ProfileErrorIsTheWorstOverAngleAndPhase) {
         EXPECT_LE(worst, guide.error.torque);
         EXPECT_GT(worst, 0.99 * guide.error.torque);
     }
-}
-
-TEST(ElasticHingeGuide, AMicrometreSpoilsThePapersGuideAndNotOneOfAMillimetre) {
-    Input input = preset_zotov();
-    const double hard = solve(input).crank_guide.error.relative;
-    input.spring = Spring{3e6, 0.2, 0.1 - 2.0e-3};
-    const Guide soft = solve(input).crank_guide;
-    ASSERT_TRUE(soft.feasible) << soft.reason.english();
-    EXPECT_GT(soft.relief, 0.5e-3);
-    EXPECT_GT(hard, 0.4);
-    EXPECT_LT(soft.error.relative, 0.02);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "elastic-hinge/kinematics.h"
 
 #include "elastic-hinge/design.h"
-#include "numerics/slider_crank.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -9,20 +8,6 @@ namespace {
 
 using test::derivative;
 using test::Fifty;
-
-TEST(ElasticHingeKinematics, ExactAgreesWithTheSharedSliderCrank) {
-    const double r = 0.05;
-    const double lambda = 0.3;
-    const SliderCrank<double> crank{r, r / lambda};
-    for (int degrees = 0; degrees < 360; degrees += 7) {
-        const double phi = degrees * degree;
-        const auto rod = rod_angle_exact(lambda, std::sin(phi), std::cos(phi));
-        const auto piston = crank.at(phi);
-        EXPECT_NEAR(r * std::cos(phi) + r / lambda * rod.cos_psi, piston.s, 1e-15);
-        EXPECT_NEAR(-r * std::sin(phi) + r / lambda * rod.dcos, piston.ds, 1e-15);
-        EXPECT_NEAR(-r * std::cos(phi) + r / lambda * rod.d2cos, piston.d2s, 1e-15);
-    }
-}
 
 TEST(ElasticHingeKinematics, QuartersOfATurnAreExact) {
     for (const int samples : {13, 721}) {
@@ -88,17 +73,6 @@ TEST(ElasticHingeKinematics, SeriesDiffersFromExactByTheFourthPowerOfLambda) {
             EXPECT_NEAR(std::log2(before / error), 4.0, 0.05);
         }
         before = error;
-    }
-}
-
-TEST(ElasticHingeKinematics, SeriesIsThePrintedCosine) {
-    for (int degrees = 0; degrees <= 360; degrees += 15) {
-        const double phi = degrees * degree;
-        for (const double lambda : {0.3, 0.8, 1.0}) {
-            EXPECT_NEAR(rod_angle_series(lambda, std::sin(phi), std::cos(phi)).cos_psi,
-                        1 - 0.25 * lambda * lambda + 0.25 * lambda * lambda * std::cos(2 * phi),
-                        1e-15);
-        }
     }
 }
 

@@ -46,21 +46,6 @@ Input with_counterweight(double distance, CounterweightInertia inertia) {
     return input;
 }
 
-TEST(ElasticHingeRod, IntegralIsThePrintedOneAtEverySpeed) {
-    for (const Kinematics kinematics : {Kinematics::series, Kinematics::exact}) {
-        for (const double omega : {0.0, 100.0, 300.0, 500.0}) {
-            Input input = preset_zotov();
-            input.kinematics = kinematics;
-            input.angular_speed = omega;
-            const Result result = solve(input);
-            const double by_quadrature = turn_integral(result.curves.rod_hinge_moment);
-            EXPECT_NEAR(by_quadrature, kinematics == Kinematics::series ? 9.46863 : 9.46481, 5e-6);
-            EXPECT_NEAR(by_quadrature, result.rod_hinge_integral, 1e-11);
-            EXPECT_NEAR(turn_integral(result.curves.rod_hinge_moment_potential), 0.0, 1e-11);
-        }
-    }
-}
-
 /// By a quadrature of its own, between whose ends the integrand is smooth; near λ = 1 too, where
 /// the angle of the rod turns over within a fraction of a degree.
 TEST(ElasticHingeRod, WorkIsTheIntegralOfItsMomentOverItsAngle) {
@@ -118,40 +103,17 @@ TEST(ElasticHingeRod, SlopeIsTheDerivativeOfTheMoment) {
 }
 
 TEST(ElasticHingeRod, CounterweightsOfThePaper) {
-    const struct {
-        double distance, weight;
-    } printed[] = {{0.05, 30.833}, {0.1, 15.4167}, {0.15, 10.278}};
-    for (const auto& row : printed) {
+    for (const double distance : {0.05, 0.1, 0.15}) {
         for (const double omega : {100.0, 500.0}) {
-            Input input = with_counterweight(row.distance, CounterweightInertia::as_printed);
+            Input input = with_counterweight(distance, CounterweightInertia::as_printed);
             input.angular_speed = omega;
             const Result result = solve(input);
-            EXPECT_NEAR(result.counterweight_mass * 9.82, row.weight, 5e-4);
             EXPECT_EQ(result.rod_hinge_integral, 0.0);
             EXPECT_NEAR(turn_integral(result.curves.rod_hinge_moment), 0.0, 1e-12 * omega * omega);
             EXPECT_EQ(result.largest_side_force_with, 0.0);
             // The same weight given by hand does the same, to rounding.
             input.rod_counterweight->mass = result.counterweight_mass;
             EXPECT_NEAR(solve(input).rod_hinge_integral, 0.0, 1e-13);
-        }
-    }
-}
-
-TEST(ElasticHingeRod, CrankMomentsHaveNoMean) {
-    for (const double lambda : {0.1, 0.3, 0.6}) {
-        for (const bool counterweight : {false, true}) {
-            Input input = counterweight
-                              ? with_counterweight(0.1, CounterweightInertia::newton_euler)
-                              : preset_zotov();
-            input.lambda = lambda;
-            input.angular_speed = 300.0;
-            const MechanismCurves curves = solve(input).curves;
-            double scale = 0.0;
-            for (const double value : curves.crank_moment_with_rod_hinge) {
-                scale = std::max(scale, std::abs(value));
-            }
-            EXPECT_NEAR(turn_integral(curves.crank_moment), 0.0, 1e-12 * scale);
-            EXPECT_NEAR(turn_integral(curves.crank_moment_with_rod_hinge), 0.0, 1e-12 * scale);
         }
     }
 }
@@ -242,8 +204,11 @@ TEST(ElasticHingeRod, BothHingesTogetherKeepTheEnergy) {
         ASSERT_TRUE(result.rod_guide.feasible) << result.rod_guide.reason.english();
         const auto total = [&](double phi) {
             return result.design->demand(Hinge::crank, phi).energy +
-                   test::energy_in(*result.crank_guide_with_rod.shape, result.crank_guide_with_rod.shape->at(Branch::compressed, phi).radius) +
-                   test::energy_in(*result.rod_guide.shape, result.rod_guide.shape->at(Branch::compressed, phi).radius);
+                   test::energy_in(
+                       *result.crank_guide_with_rod.shape,
+                       result.crank_guide_with_rod.shape->at(Branch::compressed, phi).radius) +
+                   test::energy_in(*result.rod_guide.shape,
+                                   result.rod_guide.shape->at(Branch::compressed, phi).radius);
         };
         for (int i = 0; i < 360; i += 5) {
             EXPECT_NEAR(total(i * degree), total(0.0), 1e-11 * total(0.0));
