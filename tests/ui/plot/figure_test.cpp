@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "plot/plot_view.h"
-#include "text/csv_format.h"
 
 namespace ravnoves {
 namespace {
@@ -83,18 +82,6 @@ TEST(ShownFigure, WhatIsZoomedToStaysWhileTheAxisIsTheSame) {
     shown.x = {.title = u"n"_s, .min = 10.0, .max = 20.0};
     plot.showFigure(shown);
     EXPECT_EQ(plot.data().x.interval(), std::pair(10.0, 20.0));
-}
-
-TEST(ShownFigure, TablesHaveTheTruePlacesOfWhatIsDrawnOutOfScale) {
-    PlotView plot;
-    Figure shown = figure({curve("a", {1, 2, 3})});
-    shown.curves[0].trueX = {0, 1, 2};
-    shown.curves[0].trueY = {1.5, 2.5, 3.5};
-    plot.showFigure(shown);
-    const QString table = plot.csv(CsvFormat(QLocale::c()));
-    EXPECT_TRUE(table.contains(u"2.5"_s)) << table.toStdString();
-    EXPECT_FALSE(table.contains(u",2\n"_s)) << table.toStdString();
-    EXPECT_EQ(*plot.valueAt(0, 1.0), 2.0);
 }
 
 TEST(ShownFigure, AMarkGoesWithItsCurve) {

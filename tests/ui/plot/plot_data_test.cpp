@@ -160,30 +160,6 @@ TEST(PlotData, AFixedAxisHoldsTheReference) {
     EXPECT_LT(plot.left.high, 2.0);
 }
 
-TEST(PlotData, BarsBringTheirFootWithThemOnly) {
-    PlotData plot;
-    plot.x.spec = {QStringLiteral("x"), 0.0, 3.0};
-    plot.curves.resize(2);
-    plot.curve(1).style.shape = plot::Shape::Bars;
-    plot.curve(0).set({0.0, 3.0}, {500.0, 510.0}, plot.x, plot.left);
-    plot.fitScales();
-    EXPECT_GT(plot.left.low, 400.0);
-    plot.curve(1).set({1.0}, {505.0}, plot.x, plot.left);
-    plot.fitScales();
-    EXPECT_LE(plot.left.low, 0.0);
-}
-
-TEST(PlotScale, LogarithmicHoldsWholeDecades) {
-    PlotScale scale;
-    scale.spec.logarithmic = true;
-    EXPECT_FALSE(scale.holds(0.0));
-    scale.fit(2e-3, 40.0);
-    EXPECT_NEAR(scale.low, 1e-3, 1e-15);
-    EXPECT_NEAR(scale.high, 100.0, 1e-9);
-    EXPECT_NEAR(scale.fraction(1.0), 0.6, 1e-12);
-    EXPECT_NEAR(scale.value(0.6), 1.0, 1e-12);
-}
-
 TEST(PlotScale, EndsWhereItsDataEnd) {
     PlotScale scale;
     for (const auto& [low, high] :
@@ -243,13 +219,6 @@ class PlotDataTest : public ::testing::Test {
     PlotData data;
 };
 
-TEST_F(PlotDataTest, PlacesValuesInItsRectangle) {
-    EXPECT_EQ(data.toPixel(0.0, 0.0), QPointF(50.0, 120.0));
-    EXPECT_EQ(data.toPixel(10.0, 10.0), QPointF(250.0, 20.0));
-    EXPECT_DOUBLE_EQ(data.xAt(150.0), 5.0);
-    EXPECT_DOUBLE_EQ(data.yAt(70.0), 5.0);
-}
-
 TEST_F(PlotDataTest, LeavesOutWhatHasNoPlace) {
     EXPECT_TRUE(set({0, 1, 2, 3}, {1, nan, infinity, 4}));
     EXPECT_EQ(curve().x, (Values{0, 3}));
@@ -299,6 +268,15 @@ TEST_F(PlotDataTest, ScalesFollowTheShownCurves) {
     data.left.high = 1.0;
     data.fitScales();
     EXPECT_EQ(data.left.low, 0.0);  // bars stand on 0
+    // Those without points bring no 0.
+    data.curves.resize(2);
+    set({}, {});
+    data.curves[1].set({0, 1}, {500, 510}, data.x, data.left);
+    data.fitScales();
+    EXPECT_GT(data.left.low, 400.0);
+    data.curves.pop_back();
+    set({0, 1}, {50, 60});
+    data.fitScales();
     data.zoomed = true;
     set({0, 1}, {500, 600});
     data.fitScales();
