@@ -308,22 +308,6 @@ TEST(ArticulatedRods, AnExampleHasTheExpectedNumbers) {
     ravnoves::test::check_example("radial-9");
 }
 
-TEST(ArticulatedRods, APresetRadialFiresUnevenly) {
-    const Input input = preset_radial(9);
-    EXPECT_EQ(result_json({}, read_input(write_input(input))).at("throws").size(), 1U);
-    EXPECT_FALSE(fires_evenly(solve(input).firing));
-    // With its counterweights and both shafts little is left of the first two orders.
-    Input balanced = input;
-    for (Shaft& shaft : balanced.shafts) {
-        shaft.enabled = true;
-    }
-    const Result result = solve(balanced);
-    const double unit = result.engine.force_unit();
-    EXPECT_LT(std::abs(result.remaining.order(1).force.forward), 1e-9 * unit);
-    EXPECT_LT(result.remaining.order(2).force.max(), 1e-9 * unit);
-    EXPECT_GT(result.exact.order(2).force.max(), 0.3 * unit);
-}
-
 TEST(ArticulatedRods, ARadialKeepsTheSizesOfTheEngine) {
     Input input = preset_vw_vr5();
     const Input before = input;

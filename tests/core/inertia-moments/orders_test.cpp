@@ -4,7 +4,6 @@
 
 #include "case-file/input_error.h"
 #include "engines.h"
-#include "inertia-moments/pose.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
@@ -114,25 +113,6 @@ TEST(ExactOrders, SumOverOrdersIsTheTimeCurve) {
     }
 }
 
-TEST(EngineOrdersTest, ForwardAndBackwardPartsAddUpToThePlanes) {
-    const EngineOrders orders = exact_orders(make_engine(irregular()));
-    for (const EngineOrder& order : orders.orders) {
-        for (const RotatingPair& pair : {order.force, order.moment}) {
-            double largest = 0.0;
-            for (int i = 0; i < 3600; ++i) {
-                const double angle = i * 0.1 * degree;
-                const Complex vector = pair.at(angle);
-                const auto x = pair.horizontal();
-                const auto y = pair.vertical();
-                EXPECT_NEAR(vector.real(), x.cos * std::cos(angle) + x.sin * std::sin(angle), 1e-9);
-                EXPECT_NEAR(vector.imag(), y.cos * std::cos(angle) + y.sin * std::sin(angle), 1e-9);
-                largest = std::max(largest, std::abs(vector));
-            }
-            EXPECT_NEAR(pair.max(), largest, 1e-5 * largest + 1e-12);
-        }
-    }
-}
-
 // Turning the whole engine turns the vectors and nothing else.
 TEST(EngineOrdersTest, RotationOfTheEngineRotatesTheVectors) {
     const Input input = irregular();
@@ -189,32 +169,6 @@ TEST(EngineOrdersTest, MovingTheReferencePointChangesMomentsByForceTimesDistance
                                  after.moment.backward),
                         0.0, 1e-13 * unit);
             EXPECT_EQ(before.roll().cos, after.roll().cos);
-        }
-    }
-}
-
-// The picture's points: rods keep their length, crankpin 1 stands at φ from cylinder 1's axis.
-TEST(EnginePose, PointsOfTheMechanism) {
-    for (const Input& input : {irregular(), vr5()}) {
-        const Engine engine = make_engine(input);
-        for (int i = 0; i < 30; ++i) {
-            const double phi = 0.23 * i;
-            const auto poses = engine_pose(engine, phi);
-            ASSERT_EQ(poses.size(), engine.cylinders.size());
-            for (std::size_t c = 0; c < poses.size(); ++c) {
-                const CylinderPose& pose = poses[c];
-                const Cylinder& cylinder = engine.cylinders[c];
-                EXPECT_NEAR(std::abs(pose.piston_pin - pose.crankpin), input.rod_length(), 1e-14);
-                EXPECT_NEAR(std::abs(pose.axis_foot), std::abs(cylinder.offset), 1e-15);
-                const double angle =
-                    phi + engine.cylinders[0].bank_angle + pi / 2.0 + cylinder.crankpin_angle;
-                EXPECT_NEAR(std::abs(pose.crankpin - std::polar(input.crank_radius, angle)), 0.0,
-                            1e-15);
-                const double along =
-                    ((pose.piston_pin - pose.axis_foot) * std::conj(pose.axis_direction)).real();
-                EXPECT_LE(along, pose.top + 1e-15);
-                EXPECT_GE(along, pose.bottom - 1e-15);
-            }
         }
     }
 }

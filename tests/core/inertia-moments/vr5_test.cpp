@@ -5,7 +5,6 @@
 #include "case-file/result_index.h"
 #include "engines.h"
 #include "example_check.h"
-#include "inertia-moments/presets.h"
 #include "inertia-moments/results.h"
 
 namespace ravnoves::inertia_moments {
@@ -23,18 +22,6 @@ TEST(VolkswagenVr5, NamesThePointOfTheRotatingMoment) {
         if (entry.pointer.starts_with("/rotating/moment_") && entry.unit != units::degree) {
             EXPECT_TRUE(entry.name.english().ends_with(" about mean z")) << entry.pointer;
         }
-    }
-}
-
-// Not printed, from the paper's formulas; N·m.
-TEST(VolkswagenVr5, MomentsOfItsFourShafts) {
-    Input input = vr5();
-    input.shafts = usual_shafts(make_engine(input).cylinders, input.crank_radius);
-    input.shaft_basis = DesignBasis::two_term;
-    const Result result = solve(input);
-    const double moments[] = {295.96, 244.87, 576.67, 484.71};
-    for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_NEAR(std::abs(result.shafts[i].target), moments[i], 0.005);
     }
 }
 
