@@ -99,21 +99,5 @@ TEST(BobWeight, TakesUpTheRotatingPartAndTheFactorOfTheRest) {
     }
 }
 
-TEST(BobWeight, OfANinetyDegreeVLeavesNothing) {
-    std::mt19937 random(4);
-    Throw made = random_throw(random, bob_weights::EngineType::v, 2, 90 * degree, 0.0);
-    made.bob.factor = {};
-    const auto result = bob_weights::solve(made.bob);
-    const auto& engine = made.engine;
-    const double unit = engine.crank_radius * engine.angular_speed * engine.angular_speed;
-    const auto force = inertia_moments::exact_orders(engine, 1).order(1).force;
-    const Vector direction = inertia_moments::crankpin_direction(engine);
-    const auto rotating = inertia_moments::rotating_masses(engine);
-    EXPECT_LT(std::abs(force.forward + rotating.force() * direction -
-                       *result.bob_weight * unit * direction),
-              1e-9 * engine.force_unit());
-    EXPECT_LT(std::abs(force.backward), 1e-9 * engine.force_unit());
-}
-
 }  // namespace
 }  // namespace ravnoves
