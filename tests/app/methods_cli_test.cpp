@@ -8,7 +8,6 @@
 #include "case-file/decimal.h"
 #include "case-file/json.h"
 #include "command_line.h"
-#include "csv_lines.h"
 #include "methods/kernel.h"
 #include "methods/validation/validation.h"
 
@@ -16,7 +15,6 @@ namespace ravnoves {
 namespace {
 
 using test::CommandLine;
-using test::csv_lines;
 using test::lines_of;
 using test::Outcome;
 using test::read_all;
@@ -32,16 +30,6 @@ TEST_F(CommandLine, ValidatePrintsTheCountsAndEveryNumber) {
     const auto report = methods::validate();
     EXPECT_EQ(lines_of(outcome.out).front(), report.summary());
     EXPECT_TRUE(outcome.out == methods::write_text(report));
-}
-
-TEST_F(CommandLine, ValidateWritesATable) {
-    const Outcome outcome = run("validate --csv table.csv");
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    const auto lines = csv_lines(read_all(folder / "table.csv"));
-    EXPECT_EQ(lines.size(), methods::validate().rows.size() + 1);
-    for (const auto& fields : lines) {
-        EXPECT_EQ(fields.size(), lines.front().size());
-    }
 }
 
 TEST_F(CommandLine, MethodsPrintsAKernelsTableAndWhy) {
