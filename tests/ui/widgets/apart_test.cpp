@@ -121,26 +121,5 @@ TEST_F(ApartTest, ItsMenuCopiesTheText) {
     EXPECT_EQ(QGuiApplication::clipboard()->text(), label_->text());
 }
 
-TEST_F(ApartTest, AllLinesThatItMeasuresArePaintedInItsInk) {
-    const int height = label_->heightForWidth(300);
-    label_->setText(QStringLiteral("one\ntwo\nthree"));
-    settle();
-    EXPECT_EQ(label_->heightForWidth(300), 3 * height);
-    QPalette palette = label_->palette();
-    palette.setColor(QPalette::WindowText, Qt::red);
-    label_->setPalette(palette);
-    const QImage image = label_->grab().toImage();
-    std::vector<bool> hasInk(3);
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            const QColor at = image.pixelColor(x, y);
-            if (at.red() > at.green() + 100) {
-                hasInk[static_cast<std::size_t>(3 * y / image.height())] = true;
-            }
-        }
-    }
-    EXPECT_EQ(hasInk, std::vector<bool>(3, true));
-}
-
 }  // namespace
 }  // namespace ravnoves

@@ -107,7 +107,6 @@ TEST_F(NumberFieldTest, RejectsInWordsAndKeepsTheLastValue) {
     EXPECT_EQ(field.value(), 46.0);
     EXPECT_EQ(field.trouble(),
               QStringLiteral("The value must be greater than 0 and at most 100\u00A0mm."));
-    EXPECT_EQ(field.text(), QStringLiteral("-3"));  // nothing is lost
     EXPECT_TRUE(edited.isEmpty());
     // A valid beginning ("10" of "101") shows its effect, but does not count.
     for (const char* bad : {"nan", "inf", "1e999", "abc", "1 2", "0", "101", "56.7.1"}) {

@@ -258,20 +258,33 @@ TEST(CopiedResultTable, IsTheWholeUnlessCellsAreSelected) {
     EXPECT_EQ(table.asCsv(), u"Quantity,Value\n10 runs,-3.2e-7\n1e-6°,< 1e-12 N\n"_s);
 }
 
-TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
+TEST(SpreadResultTable, NeitherSideSaysMoreDigitsThanTheOtherBears) {
     ResultTable table;
     table.setColumns({u"Quantity"_s, u"Value"_s});
-    table.setRows({ResultRow{u"Force"_s, {0.145, u"0.145"_s}}});
-    const auto shown = [&](double half) {
-        table.setSpreads({{0, 1, u"Force"_s, half, half}});
-        return table.spreadAt(0, 1);
+    const struct {
+        const char16_t* value;
+        double below, above;
+        const char16_t* shown;
+        const char16_t* spread;
+    } rows[] = {
+        {u"0.145", 0.0123, 0.0123, u"0.145", u"± 0.012"},
+        {u"0.145", 0.00123, 0.00123, u"0.145", u"± 0.0012"},
+        {u"0.145", 0.000123, 0.000123, u"0.145", u"± 0.0001"},
+        {u"0.145", 0.0000123, 0.0000123, u"0.145", u""},
+        {u"0.145", 0.00001, 0.0123, u"0.145", u"+0.012 −0"},
+        {u"1066.746", 35.0, 35.0, u"1067", u"± 35"},
+        {u"1066.746", 0.35, 0.35, u"1066.75", u"± 0.35"},
+        {u"1066.746", 0.0035, 0.0035, u"1066.746", u"± 0.0035"},
     };
-    EXPECT_EQ(shown(0.0123), u"± 0.012"_s);
-    EXPECT_EQ(shown(0.00123), u"± 0.0012"_s);
-    EXPECT_EQ(shown(0.000123), u"± 0.0001"_s);
-    EXPECT_EQ(shown(0.0000123), QString());
-    table.setSpreads({{0, 1, u"Force"_s, 0.00001, 0.0123}});
-    EXPECT_EQ(table.spreadAt(0, 1), u"+0.012 −0"_s);
+    for (const auto& [value, below, above, shown, spread] : rows) {
+        const QString text = QString::fromUtf16(value);
+        table.setRows({ResultRow{u"Force"_s, {text.toDouble(), text}}});
+        table.setSpreads({{0, 1, u"Force"_s, below, above}});
+        EXPECT_EQ(table.item(0, 1)->text(), QString::fromUtf16(shown)) << below;
+        EXPECT_EQ(table.spreadAt(0, 1), QString::fromUtf16(spread)) << above;
+        table.setSpreads({});
+        EXPECT_EQ(table.item(0, 1)->text(), text);
+    }
 }
 
 TEST(SpreadResultTable, PutsItsSidesBelowEachOtherBeforeItScrolls) {
@@ -288,19 +301,6 @@ TEST(SpreadResultTable, PutsItsSidesBelowEachOtherBeforeItScrolls) {
         test::showAt(table, {width, 160});
         EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width()) << width;
     }
-}
-
-TEST(SpreadResultTable, DigitsEndWhereTheSpreadBegins) {
-    ResultTable table;
-    table.setColumns({u"Quantity"_s, u"Value"_s});
-    table.setRows({ResultRow{u"Range"_s, {1066.746, u"1066.746"_s}}});
-    for (const auto& [half, text] :
-         {std::pair(35.0, u"1067"), std::pair(0.35, u"1066.75"), std::pair(0.0035, u"1066.746")}) {
-        table.setSpreads({{0, 1, u"Range"_s, half, half}});
-        EXPECT_EQ(table.item(0, 1)->text(), QString::fromUtf16(text)) << half;
-    }
-    table.setSpreads({});
-    EXPECT_EQ(table.item(0, 1)->text(), u"1066.746"_s);
 }
 
 }  // namespace

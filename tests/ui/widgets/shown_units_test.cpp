@@ -165,13 +165,5 @@ TEST(ShownFigures, ArePowersOfTenOnlyWhereThoseAreShorter) {
     EXPECT_TRUE(shownFigures(2.5e7, units::newton, 4).contains(u'E'));
 }
 
-TEST_F(ShownUnits, OfTitlesStandAtTheirEnd) {
-    EXPECT_EQ(shownTitle(u"mean Mₛ, N·m"_s).text, u"mean Mₛ, lb·ft"_s);
-    EXPECT_EQ(shownTitle(u"φ, °"_s).text, u"φ, °"_s);
-    EXPECT_EQ(shownTitle(u"mm"_s).text, u"in"_s);
-    EXPECT_EQ(shownTitle(u"Order"_s).text, u"Order"_s);
-    EXPECT_EQ(unitOfTitle(u"Order"_s), QString());
-}
-
 }  // namespace
 }  // namespace ravnoves
