@@ -191,41 +191,11 @@ double reachOf(const std::vector<double>& values) {
     return reach;
 }
 
-TEST(EnginePlots, ShowTheVectorsOfTheResult) {
-    const InertiaMomentsModel model;
-    const inertia_moments::Result& result = model.result();
-    for (const int order : {1, 2}) {
-        const Figure figure = figureOf(model, order == 1 ? "order-1" : "order-2");
-        EXPECT_FALSE(figure.leftRange);
-        const std::vector<double>& angles = curveOf(figure, "vertical").x;
-        ASSERT_EQ(angles.size(), curveOf(figure, "horizontal").y.size());
-        for (std::size_t i = 0; i < angles.size(); ++i) {
-            const double angle = order * angles[i] * degree;
-            const auto exact = result.unbalanced.order(order).moment.at(angle);
-            EXPECT_NEAR(curveOf(figure, "horizontal").y[i], exact.real(), 1e-11);
-            EXPECT_NEAR(curveOf(figure, "vertical").y[i], exact.imag(), 1e-11);
-            EXPECT_NEAR(curveOf(figure, "vertical-two-term").y[i],
-                        result.two_term_unbalanced.order(order).moment.at(angle).imag(), 1e-11);
-        }
-    }
-    const Figure roll = figureOf(model, "roll");
-    EXPECT_EQ(curveOf(roll, "sum").x.back(), 720.0);
-    for (std::size_t i = 0; i < curveOf(roll, "sum").y.size(); ++i) {
-        EXPECT_NEAR(curveOf(roll, "sum").y[i],
-                    curveOf(roll, "inertia").y[i] + curveOf(roll, "reaction").y[i], 1e-9);
-    }
-}
-
 TEST(EnginePlots, ShowTheForcesOfAnEngineInOnePlane) {
     InertiaMomentsModel model;
     EXPECT_FALSE(hasForcesOnly(model.result()));
     model.chooseLayout(QStringLiteral("radial-7"));
     EXPECT_TRUE(hasForcesOnly(model.result()));
-    const Figure forces = figureOf(model, "order-2");
-    EXPECT_FALSE(forces.leftRange);
-    const auto first = model.result().exact.order(2).force.at(0.0);
-    EXPECT_EQ(curveOf(forces, "horizontal").y.front(), first.real());
-    EXPECT_EQ(curveOf(forces, "vertical").y.front(), first.imag());
     model.chooseLayout(QStringLiteral("i6"));
     model.edit(QStringLiteral("bare"), [](Input& input) { input.end_webs.reset(); });
     EXPECT_FALSE(hasForcesOnly(model.result()));  // nor forces
@@ -248,44 +218,8 @@ TEST(EnginePlots, ShowNoRounding) {
     EXPECT_GT(forces.leftRange->second, 100.0 * reachOf(curveOf(forces, "first").y));
     EXPECT_LT(reachOf(curveOf(forces, "left").y), forces.leftRange->second);
     EXPECT_EQ(reachOf(curveOf(forces, "all").x), 0.0);
-}
-
-TEST(EnginePlots, OverTheAngleAreTheSumOfAllForces) {
-    InertiaMomentsModel model;
-    model.chooseLayout(QStringLiteral("i4"));
-    const auto& result = model.result();
-    const Figure forces = figureOf(model, "forces-over-angle");
-    const Figure::Curve& upright = curveOf(forces, "vertical");
-    ASSERT_EQ(upright.x.front(), 0.0);
-    ASSERT_EQ(upright.x.back(), 720.0);
-    const std::vector<double>& twoTermForce = curveOf(forces, "vertical-two-term").y;
-    for (const std::size_t i : {std::size_t{0}, std::size_t{47}, std::size_t{500}}) {
-        const double phi = upright.x[i] * degree;
-        const auto exact = inertia_moments::exact_curves(result.engine, {phi});
-        const double scale = reachOf(upright.y);
-        EXPECT_NEAR(upright.y[i], exact.force_y[0], 1e-9 * scale);
-        const auto twoTerm =
-            inertia_moments::with_orders(inertia_moments::WrenchCurves({phi}), result.two_term);
-        EXPECT_NEAR(twoTermForce[i], twoTerm.force_y[0], 1e-9 * scale);
-    }
-    // An in-line four: 4 λ m R ω² of second order, and a little of the fourth.
-    EXPECT_FALSE(forces.leftRange);
-    const double second = 4.0 * result.engine.lambda * result.engine.force_unit();
-    EXPECT_NEAR(reachOf(twoTermForce), second, 1e-9 * second);
-    EXPECT_NEAR(reachOf(upright.y), second, 0.1 * second);
-    // Its one moment is about the crank; two of its four pistons rise while two fall.
-    const Figure moments = figureOf(model, "moments-over-angle");
-    EXPECT_FALSE(moments.leftRange);
-    const Figure::Curve& roll = curveOf(moments, "roll");
-    ASSERT_EQ(roll.x, upright.x);
-    for (const std::size_t i : {std::size_t{47}, std::size_t{500}}) {
-        const double exact =
-            inertia_moments::exact_curves(result.engine, {roll.x[i] * degree}).roll[0];
-        EXPECT_NEAR(roll.y[i], exact, 1e-9 * std::abs(exact));
-    }
-    EXPECT_TRUE(curveOf(moments, "roll-left").y.empty());
-    // It has no side force: nothing, not rounding.
-    EXPECT_EQ(reachOf(curveOf(forces, "horizontal").y), 0.0);
+    EXPECT_EQ(reachOf(curveOf(figureOf(model, "forces-over-angle"), "horizontal").y), 0.0);
+    EXPECT_EQ(curveOf(figureOf(model, "forces-by-order"), "exact").y.at(1), 0.0);
 }
 
 TEST(InertiaMomentsModel, EveryTableHasNumbersAndRoundingIsZero) {
