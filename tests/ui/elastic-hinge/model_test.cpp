@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <QSignalSpy>
-
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "comes.h"
 #include "elastic-hinge/input.h"
 #include "elastic-hinge/presets.h"
 #include "text/message_text.h"
@@ -25,10 +24,7 @@ QString verdictOf(const ElasticHingeModel& model) {
 
 /// Waits until the worker thread has computed the motions of the present input.
 void waitForMotions(ElasticHingeModel& model) {
-    QSignalSpy running(model.runner(), &BackgroundJob::runningChanged);
-    while (model.runner()->isRunning()) {
-        ASSERT_TRUE(running.wait(20000));
-    }
+    ASSERT_TRUE(test::comes([&] { return !model.runner()->isRunning(); }));
     ASSERT_NE(model.motions(), nullptr);
 }
 
@@ -120,9 +116,7 @@ TEST(ElasticHingeModel, TakesOverNoGuideThatIsNotFound) {
 TEST(ElasticHingeModel, MotionsComeFromTheWorkerThread) {
     ElasticHingeModel model;
     waitForMotions(model);
-    EXPECT_LT(model.motions()->crank->ripple, 1e-8);
     EXPECT_LT(model.motions()->both->ripple, 1e-8);
-    EXPECT_GT(model.motions()->without->ripple, 0.7);
     EXPECT_NEAR(model.motions()->offSpeed, 120.0, 1e-9);
     EXPECT_GT(model.motions()->offDesign->ripple, 0.1);
     EXPECT_EQ(model.motionsText().count(QLatin1Char('\n')), 3);

@@ -31,10 +31,7 @@ class ElasticHingePageTest : public test::PageTest<ElasticHingePage> {
     PlotView* plotOf(std::string_view part) { return partPlot(page, part); }
     QPushButton* cancelButton() { return find<QPushButton>("cancel_motion"); }
     void waitForMotions() {
-        QSignalSpy running(model->runner(), &BackgroundJob::runningChanged);
-        while (model->runner()->isRunning()) {
-            ASSERT_TRUE(running.wait(20000));
-        }
+        ASSERT_TRUE(test::comes([this] { return !model->runner()->isRunning(); }));
     }
 };
 
@@ -55,14 +52,7 @@ TEST_F(ElasticHingePageTest, KeysBeforeADragAreAStepOfTheirOwn) {
     EXPECT_DOUBLE_EQ(model->input().lambda, before) << "both keys are one step";
 }
 
-TEST_F(ElasticHingePageTest, EverySliderSetsItsQuantity) {
-    type("stiffness_kN_m", QStringLiteral("6001.6"));
-    EXPECT_NEAR(model->input().spring->stiffness, 6001600.0, 1e-6);
-    type("guide_radius_at_zero_mm", QStringLiteral("112.5"));
-    EXPECT_NEAR(model->input().spring->guide_radius_at_zero, 0.1125, 1e-15);
-    type("profile_error_um", QStringLiteral("2.5"));
-    EXPECT_NEAR(model->input().profile_error, 2.5e-6, 1e-18);
-    // ℓ₂ belongs to the counterweight.
+TEST_F(ElasticHingePageTest, TheDistanceIsOfTheCounterweight) {
     auto* distance = field("counterweight_distance_mm");
     EXPECT_FALSE(distance->isEnabled());
     press("rod_counterweight");
@@ -75,7 +65,7 @@ TEST_F(ElasticHingePageTest, EverySliderSetsItsQuantity) {
         model->history()->undo();
     }
     EXPECT_EQ(model->input(), elastic_hinge::preset_zotov());
-    EXPECT_EQ(field("guide_radius_at_zero_mm")->value(), 90.0);
+    EXPECT_FALSE(distance->isEnabled());
 }
 
 TEST_F(ElasticHingePageTest, WithoutASpringWhatIsTypedGivesOneAlsoWhereItIsWhatIsShown) {
@@ -182,35 +172,12 @@ TEST_F(ElasticHingePageTest, LambdaOneIsDrawnBySeriesOnly) {
     EXPECT_EQ(find<QComboBox>("kinematics")->currentIndex(), 1);
 }
 
-TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
-    // Fig. 2: the guide, here enlarged: at φ = 0 on the circle of ρ₀.
-    ASSERT_TRUE(plotOf("guides")->title().contains(QStringLiteral("500")));
-    EXPECT_NEAR(*plotOf("relief")->valueAt(0, 90.0), 16.8, 0.05);  // µm
-    bring("rod-hinge");
-    EXPECT_NEAR(*plotOf("rod-moment")->valueAt(0, 30.0), -14.849, 1e-3);
-    EXPECT_NEAR(*plotOf("rod-moment")->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
-    EXPECT_NEAR(*plotOf("rod-moment")->valueAt(2, 30.0), -14.782, 1e-3);  // the series
-    EXPECT_EQ(plotOf("rod-moment-speeds")->data().curve(2).style.name,
-              QStringLiteral("500\u00A0rad/s"));
-    EXPECT_TRUE(plotOf("rod-moment-speeds")->data().curve(2).shown);
-    EXPECT_EQ(std::ssize(plotOf("rod-moment-speeds")->data().curves), 3);
-    bring("side-force");
-    EXPECT_NEAR(*plotOf("side-force-lambdas")->valueAt(1, 90.0), -9.4746, 1e-3);
-    EXPECT_NEAR(*plotOf("side-force-speeds")->valueAt(0, 90.0), -94.746, 1e-2);
-    EXPECT_NEAR(*plotOf("side-force-speeds")->valueAt(1, 60.0), 85.128, 1e-3);
-    bring("crank-moment");
-    EXPECT_NEAR(*plotOf("crank-moment")->valueAt(0, 30.0), 16.5966, 1e-3);
-    EXPECT_NEAR(*plotOf("crank-moment")->valueAt(1, 30.0), -4.0567, 1e-3);
-    bring("motion");
-    waitForMotions();
-    EXPECT_NEAR(*plotOf("crank-speed")->valueAt(1, 2.5), 100.0, 1e-6);
-    EXPECT_LT(*plotOf("crank-speed")->valueAt(0, 0.25), 60.0);
-    // With a counterweight the moment is M₁*.
+/// Nothing is left of it, and the axis does not enlarge the rounding.
+TEST_F(ElasticHingePageTest, ASideForceThatIsRoundingIsALine) {
     press("rod_counterweight");
     bring("crank-moment");
     EXPECT_EQ(plotOf("crank-moment")->data().curve(1).style.name,
               QStringLiteral("with hinge (M₁*)"));
-    // Nothing is left of the side force, and the axis does not enlarge the rounding.
     bring("side-force");
     const auto [low, high] = plotOf("side-force-lambdas")->data().left.interval();
     EXPECT_LT(low, -0.9);
@@ -318,13 +285,10 @@ TEST_F(ElasticHingePageTest, SearchTakesOverWhatItFound) {
     // A present design that has more relief than required is better: nothing is offered.
     type("relief_mm", QStringLiteral("1"));
     EXPECT_FALSE(find<QPushButton>("take_proposal")->isEnabled());
-    EXPECT_TRUE(answer->text().contains(
-        QStringLiteral("The present design meets the requirements: relief 2.000\u00A0mm")))
+    EXPECT_TRUE(answer->text().contains(QStringLiteral("meets the requirements")))
         << answer->text().toStdString();
     type("relief_mm", QStringLiteral("2.5"));
     EXPECT_TRUE(find<QPushButton>("take_proposal")->isEnabled());
-    EXPECT_TRUE(answer->text().contains(QStringLiteral("Present design: relief 2.000\u00A0mm")))
-        << answer->text().toStdString();
     type("outer_diameter_mm", QStringLiteral("50"));
     EXPECT_FALSE(find<QPushButton>("take_proposal")->isEnabled());
     EXPECT_TRUE(answer->text().startsWith(QStringLiteral("None")));
