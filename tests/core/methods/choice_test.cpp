@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "elastic-hinge/motion.h"
+#include "inertia-moments/engine.h"
 #include "methods/measure.h"
 
 namespace ravnoves::methods {
@@ -146,6 +148,14 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
             << method.title.english << " (" << method.settings[candidate.setting].label.english()
             << ") is cheaper and holds " << kernel.choice.tolerance << " as well";
     }
+}
+
+TEST(DeclaredMethods, TheScenesRunAtTheDeclaredAccuracy) {
+    const auto setting = [](const char* kernel) {
+        return std::stod(std::string(find_kernel(kernel)->choice.setting));
+    };
+    EXPECT_EQ(elastic_hinge::motion_tolerance, setting("hinge-motion"));
+    EXPECT_EQ(inertia_moments::order_accuracy, setting("inertia-orders"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryKernel, ::testing::Range<std::size_t>(0, kernels().size()),

@@ -9,26 +9,6 @@
 namespace ravnoves::methods {
 namespace {
 
-TEST(Measure, ALongRunGetsFewerBatches) {
-    int runs = 0;
-    const Problem problem{1,
-                          1.0,
-                          [&](std::size_t, std::size_t) -> ravnoves::methods::Run {
-                              return [&](std::span<double> out) {
-                                  ++runs;
-                                  for (int i = 0; i < 20'000; ++i) {
-                                      out[0] += std::sqrt(static_cast<double>(i));
-                                  }
-                                  return Message();
-                              };
-                          },
-                          {}};
-    const Timing timing =
-        time_run(problem, 0, 0, {.batch_seconds = 1e-6, .batches = 1000, .max_seconds = 1e-9});
-    EXPECT_EQ(timing.batches, 3);
-    EXPECT_GE(runs, 4);  // one to warm up
-}
-
 /// The orders of convergence that theory gives, found from the errors.
 TEST(Measure, FindsTheOrdersOfTheory) {
     const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .max_seconds = 1e-9};
@@ -41,6 +21,21 @@ TEST(Measure, FindsTheOrdersOfTheory) {
     // The error of the end counted twice falls as 1/nodes.
     EXPECT_NEAR(order("cycle-mean", "pure-sine", 90.0, "nodes-end-twice"), 1.0, 0.1);
     EXPECT_NEAR(order("guide", "preload", 1.0, "rk4"), 4.0, 0.4);
+}
+
+TEST(RivalSamples, ErrorsFallAtTheirRates) {
+    const auto order = [&](const char* sweep, double value, const char* method) {
+        const bool chance = std::string(method) == "monte-carlo";
+        return std::log(error_of("scatter", sweep, value, method, "64 samples") /
+                        error_of("scatter", sweep, value, method,
+                                 chance ? "8192 samples" : "4096 samples")) /
+               std::log(chance ? 128.0 : 64.0);
+    };
+    EXPECT_NEAR(order("scatter", 0.01, "monte-carlo"), 0.5, 0.15);
+    EXPECT_NEAR(order("corner", -0.5, "monte-carlo"), 0.5, 0.15);
+    EXPECT_GT(order("scatter", 0.01, "sobol"), 0.9);
+    EXPECT_GT(order("jump", 0.8, "sobol"), 0.6);
+    EXPECT_GT(order("corner", -0.5, "sobol"), 0.9);
 }
 
 TEST(Measure, TellsWhereAMethodFails) {

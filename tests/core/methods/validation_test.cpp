@@ -46,11 +46,6 @@ TEST(Validation, NoPrintedNumberIsWithoutAnExplanation) {
 }
 
 TEST(Validation, CoversThePapers) {
-    std::size_t sum = 0;
-    for (const Verdict verdict : all_verdicts) {
-        sum += report().count(verdict);
-    }
-    EXPECT_EQ(sum, report().rows.size());
     const auto of = [](const char* scene) {
         return std::count_if(report().rows.begin(), report().rows.end(),
                              [&](const ValidationRow& row) { return row.scene == scene; });
@@ -60,12 +55,6 @@ TEST(Validation, CoversThePapers) {
     EXPECT_GE(of("elastic-hinge"), 17 + 10 + 14);
     EXPECT_GE(of("v8-plugs"), 2 * (19 + 7) + 4 + 20 + 4);
     EXPECT_GE(of("inertia-moments"), 16 + 8 + 5 + 4 + 8);
-    // What is only given is not among what is reproduced.
-    EXPECT_GE(report().count(Verdict::reproduced), 335U);
-    EXPECT_GE(report().count(Verdict::given), 98U + 7U + 40U);
-    EXPECT_GE(report().count(Verdict::artefact), 15U);
-    EXPECT_GE(report().count(Verdict::slip), 25U);
-    EXPECT_GE(report().count(Verdict::not_derivable), 8U);
 }
 
 /// What a verdict claims holds in the row's own numbers.
