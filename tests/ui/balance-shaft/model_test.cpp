@@ -11,7 +11,6 @@
 #include "events.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
-#include "model/reference_case.h"
 #include "part_tests.h"
 
 namespace ravnoves {
@@ -233,28 +232,6 @@ TEST(BalanceShaftParts, AreInTheUnitsOfTheirAxes) {
     model.setShaftAngleDeg(90.0);
     const Figure moved = figureOf(model, "range-over-size");
     EXPECT_NEAR(curveOf(moved, "present").x[0], all.x[180], 1e-6);
-}
-
-// What a variant's curves are made of: the same parts of a model of its own.
-TEST(BalanceShaftParts, OfTheReferenceAreThoseOfItsInput) {
-    BalanceShaftModel model;
-    model.keepVariant(QStringLiteral("old"));
-    const Figure before = figureOf(model, "moments");
-    model.edit(QStringLiteral("r"), [](auto& input) { input.crank_radius *= 1.2; });
-    model.setShaftAngleDeg(200.0);
-    auto* other = static_cast<BalanceShaftModel*>(model.referenceCase().model());
-    ASSERT_NE(other, nullptr);
-    const Figure was = figureOf(*other, "moments");
-    ASSERT_EQ(was.curves.size(), 3U);
-    for (std::size_t i = 0; i < was.curves.size(); ++i) {
-        EXPECT_EQ(was.curves[i].y, before.curves[i].y) << was.curves[i].id;
-        const bool isTable = was.curves[i].id == "M_up";  // which follows no radius
-        EXPECT_EQ(was.curves[i].y == figureOf(model, "moments").curves[i].y, isTable);
-    }
-    // What is chosen to be seen is chosen for both.
-    model.setPlaceCriterion(BalanceShaftModel::Criterion::rms);
-    EXPECT_EQ(other->placeCriterion(), model.placeCriterion());
-    EXPECT_EQ(figureOf(*other, "places").title, figureOf(model, "places").title);
 }
 
 }  // namespace

@@ -212,27 +212,12 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
     EXPECT_EQ(words(), shaft_map_text::best(*map));
 }
 
-TEST(Hatch, FillsItsAreaAndLeavesOutItsHoles) {
-    QPainterPath ring;
-    ring.addEllipse(QPointF(60, 40), 45.0, 30.0);
-    ring.addRect(QRectF(40, 30, 30, 20));
-    for (const double fall : {1.0, -1.0}) {
-        double length = 0.0;
-        for (const QPolygonF& ends : hatchLines(ring, ring.boundingRect(), 0.5, fall)) {
-            const QLineF line(ends.front(), ends.back());
-            EXPECT_NEAR(std::remainder(line.x1() - fall * line.y1(), 0.5), 0.0, 1e-9);
-            EXPECT_NEAR(line.dx(), fall * line.dy(), 1e-9);
-            EXPECT_TRUE(ring.contains(line.center())) << line.x1() << ' ' << line.y1();
-            length += line.length();
-        }
-        const double area = pi * 45.0 * 30.0 - 30.0 * 20.0;
-        EXPECT_NEAR(length * 0.5 / std::sqrt(2.0), area, 0.01 * area);
-    }
-    // However far the area reaches, as that of a map does that is zoomed into.
-    ring.addRect(QRectF(-1e7, -1e7, 2e7, 2e7));
-    const std::size_t seen = hatchLines(ring, QRectF(0, 0, 100, 50), 1.0, 1.0).size();
-    EXPECT_GE(seen, 149);
-    EXPECT_LE(seen, 600);  // each in four parts at most
+/// However far the area reaches, as that of a map does that is zoomed into.
+TEST(Hatch, HasNoMoreLinesThanAreSeen) {
+    QPainterPath area;
+    area.addRect(QRectF(-1e7, -1e7, 2e7, 2e7));
+    EXPECT_NEAR(static_cast<double>(hatchLines(area, QRectF(0, 0, 100, 50), 1.0, 1.0).size()),
+                150.0, 2.0);
 }
 
 TEST_F(ShaftMapTest, AnotherInputMakesANewMapAndPalesTheOldOne) {
