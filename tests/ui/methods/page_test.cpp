@@ -56,27 +56,6 @@ TEST_F(MethodsPageTest, EscapeInTheValueBringsTheOldOneBack) {
     EXPECT_EQ(model->value(), model->sweep().present);
 }
 
-/// Every measured point is in the chart, at its time and its error.
-TEST_F(MethodsPageTest, EveryPointIsDrawn) {
-    measure();
-    const MethodMeasurement& shown = *model->shown();
-    const PlotView* plot = find<PlotView>("work_plot");
-    const auto [low, high] = plot->data().left.interval();
-    const auto [fast, slow] = plot->data().x.interval();
-    std::size_t drawn = 0;
-    const QString csv = find<PlotView>("work_plot")->dataAsCsv();
-    for (const auto& point : shown.report.rows) {
-        EXPECT_GT(point.timing.median, fast);
-        EXPECT_LT(point.timing.median, slow);
-        if (point.result.error > 0.0) {
-            EXPECT_GT(point.result.error, low);
-            EXPECT_LT(point.result.error, high);
-        }
-        drawn += csv.contains(CsvFormat().number(point.timing.median)) ? 1 : 0;
-    }
-    EXPECT_EQ(drawn, shown.report.rows.size());
-}
-
 TEST_F(MethodsPageTest, WhatIsRejectedIsInTheTableAlone) {
     choose("kernel", 5);
     model->setViewOption(QStringLiteral("sweep"), QStringLiteral("speed"));
