@@ -169,34 +169,6 @@ TEST_P(EveryPage, CurvesAreDistinguishableWithoutColours) {
     EXPECT_EQ(pairs > 0, !page->findChildren<PlotView*>().isEmpty());
 }
 
-/// A page that was there when the theme changed says it in the colours of one that is made again.
-TEST_P(EveryPage, LabelsFollowTheTheme) {
-    const auto fill = [](ScenePage& of) {
-        test::openExample(*of.model());
-        for (TroubleLine* line : of.findChildren<TroubleLine*>()) {
-            line->say(u"wrong"_s);
-        }
-    };
-    fill(*page);
-    for (const auto mode : {Theme::Mode::Dark, Theme::Mode::Light}) {
-        Theme::instance().setMode(mode);
-        const auto fresh = make();
-        fill(*fresh);
-        const auto labels = page->findChildren<QLabel*>();
-        const auto others = fresh->findChildren<QLabel*>();
-        ASSERT_EQ(labels.size(), others.size());
-        for (qsizetype i = 0; i < labels.size(); ++i) {
-            // The others have the application's, which comes to hidden ones when they are shown.
-            if (labels[i]->testAttribute(Qt::WA_SetPalette) ||
-                others[i]->testAttribute(Qt::WA_SetPalette)) {
-                EXPECT_EQ(labels[i]->palette().color(QPalette::WindowText).rgb(),
-                          others[i]->palette().color(QPalette::WindowText).rgb())
-                    << labels[i]->text().toStdString();
-            }
-        }
-    }
-}
-
 TEST_P(EveryPage, NamesAndExplainsEveryInput) {
     QSet<const QWidget*> labelled;
     for (const QLabel* label : page->findChildren<QLabel*>()) {

@@ -103,16 +103,6 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
         }
         return all;
     }
-    static const Figure::Curve* curveOf(const Figure& figure, const std::string& id) {
-        const auto found = std::find_if(figure.curves.begin(), figure.curves.end(),
-                                        [&](const Figure::Curve& curve) { return curve.id == id; });
-        return found != figure.curves.end() ? &*found : nullptr;
-    }
-    static const ResultRow* rowOf(const Results& results, const QString& key) {
-        const auto found = std::find_if(results.rows.begin(), results.rows.end(),
-                                        [&](const ResultRow& row) { return row.key() == key; });
-        return found != results.rows.end() ? &*found : nullptr;
-    }
     /// What is drawn of a curve: where it has a place.
     static std::pair<std::vector<double>, std::vector<double>> drawn(const Figure::Curve& curve) {
         std::pair<std::vector<double>, std::vector<double>> points;
@@ -191,12 +181,12 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesOfTheSameWord) {
         const int before = ghosts;
         bool isAnyDrawn = false;
         for (const PlotCurve& curve : data.curves) {
-            const Figure::Curve* same = curveOf(figure, curve.id);
+            const auto same = std::ranges::find(figure.curves, curve.id, &Figure::Curve::id);
             const bool areBothDrawn =
-                same != nullptr && !drawn(*same).first.empty() && !curve.x.empty();
+                same != figure.curves.end() && !drawn(*same).first.empty() && !curve.x.empty();
             isAnyDrawn = isAnyDrawn || areBothDrawn;
             if (const PlotCurve* ghost = data.ghostOf(curve)) {
-                ASSERT_NE(same, nullptr) << curve.id;
+                ASSERT_NE(same, figure.curves.end()) << curve.id;
                 EXPECT_EQ(std::pair(ghost->x, ghost->y), drawn(*same)) << curve.id;
                 moved += ghost->y != curve.y ? 1 : 0;
                 ++ghosts;
@@ -230,11 +220,12 @@ TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReferencesRowOfTheSame
         const Results before = std::get<Results>(reference()->part(table->id()));
         ASSERT_EQ(table->rowCount(), now.rows.size());
         for (int row = 0; row < table->rowCount(); ++row) {
-            const ResultRow* was = rowOf(before, now.rows[row].key());
+            const auto was = std::ranges::find(before.rows, now.rows[row].key(), &ResultRow::key);
             for (int column = 1; column < table->columnCount(); ++column) {
                 const QStringList found = table->differenceAt(row, column);
                 const ResultNumber* is = now.rows[row].value(column).number();
-                const ResultNumber* number = was != nullptr ? was->value(column).number() : nullptr;
+                const ResultNumber* number =
+                    was != before.rows.end() ? was->value(column).number() : nullptr;
                 if (is == nullptr || number == nullptr) {
                     continue;
                 }
