@@ -1,16 +1,19 @@
-// Every page, with each of its tabs in front, at the sizes of small and large windows, with normal
-// and large text, in both languages: nothing is cut, hidden without a tip, overlapping or out of
-// reach.
+// Every page, with each of its tabs in front, and every dialog that a menu opens, at the sizes of
+// small and large windows, with normal and large text, in both languages: nothing is cut, hidden
+// without a tip, overlapping or out of reach.
 
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QApplication>
+#include <QDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <functional>
 #include <optional>
@@ -18,6 +21,7 @@
 #include "events.h"
 #include "looks/checker.h"
 #include "page/scene_page.h"
+#include "pictures/file_dialogs.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
@@ -39,14 +43,13 @@ struct Look {
     double text;
 };
 
+const Look small{"at1024x700", {1024, 700}, 1.0};
 const Look unfolded{"at1920x1080", {1920, 1080}, 1.0};
+const Look large{"LargeText", {1920, 1080}, 2.0};
 const Look folded{"LargeTextOnALaptop", {1360, 850}, 2.0};
 const Look looks[] = {
-    {"at1024x700", {1024, 700}, 1.0},
-    {"at1280x800", {1280, 800}, 1.0},
-    unfolded,
-    {"LargeText", {1920, 1080}, 2.0},
-    {"ScaleFactor2", {960, 540}, 1.0},  // of a screen of 1920×1080
+    small,  {"at1280x800", {1280, 800}, 1.0},  unfolded,
+    large,  {"ScaleFactor2", {960, 540}, 1.0},  // of a screen of 1920×1080
     folded,
 };
 
@@ -174,6 +177,63 @@ TEST_P(Letters, NoneOfThePageIsAMenus) {
     });
 }
 
+class Dialogs : public Looks {
+  protected:
+    Dialogs() {
+        fileChoosers().save = [](auto&&...) { return QString(); };
+        fileChoosers().open = [](auto&&...) { return QString(); };
+    }
+    ~Dialogs() override { fileChoosers() = choosers_; }
+
+    /// Looks at what is open beside the window, and closes it.
+    void lookAtDialogs(const QSize& screen) {
+        for (QWidget* each : QApplication::topLevelWidgets()) {
+            auto* dialog = qobject_cast<QDialog*>(each);
+            if (dialog == nullptr || !dialog->isVisible()) {
+                continue;
+            }
+            ++seen_;
+            const QSize minimum = dialog->minimumSizeHint().expandedTo(dialog->minimumSize());
+            const std::string name = (dialog->windowTitle() + u' ' + placeOf(dialog)).toStdString();
+            EXPECT_LE(minimum.width(), screen.width()) << name;
+            EXPECT_LE(minimum.height(), screen.height()) << name;
+            dialog->resize(dialog->size().boundedTo(screen));
+            QApplication::processEvents();
+            QApplication::processEvents();
+            for (const QString& fault : Checker(dialog).faults()) {
+                ADD_FAILURE() << name << ": " << fault.toStdString();
+            }
+            dialog->reject();
+        }
+    }
+
+    int seen_ = 0;
+
+  private:
+    FileChoosers choosers_ = fileChoosers();
+};
+
+TEST_P(Dialogs, FitOnTheScreenAndCutNothing) {
+    MainWindow& window = open();
+    const QSize screen = window.size();
+    window.currentPage()->model()->keepVariant();  // inputs are compared with it
+    QApplication::processEvents();
+    QList<QAction*> actions = window.findChildren<QAction*>();
+    actions.removeIf([](const QAction* action) {
+        return !action->text().contains(u'…') || !action->isEnabled();
+    });
+    actions << window.menuBar()->actions().constLast()->menu()->actions();
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &window, [&] { lookAtDialogs(screen); });
+    constexpr int rest = 30;  // ms
+    look.start(rest);
+    for (QAction* action : actions) {
+        action->trigger();
+        QTest::qWait(2 * rest);
+    }
+    EXPECT_GE(seen_, 10);
+}
+
 std::string nameOf(const ::testing::TestParamInfo<Looks::ParamType>& each) {
     return test::testName(std::get<0>(each.param) + "_" + std::get<1>(each.param).name + "_" +
                           std::get<2>(each.param));
@@ -187,6 +247,11 @@ INSTANTIATE_TEST_SUITE_P(Pages, Looks,
 INSTANTIATE_TEST_SUITE_P(Pages, Letters,
                          ::testing::Combine(::testing::ValuesIn(test::sceneNames()),
                                             ::testing::Values(unfolded, folded),
+                                            ::testing::Values("en", "ru")),
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Pages, Dialogs,
+                         ::testing::Combine(::testing::Values("workshop"),
+                                            ::testing::Values(small, large),
                                             ::testing::Values("en", "ru")),
                          nameOf);
 
