@@ -120,19 +120,6 @@ TEST(ElasticHingeMotion, RippleIsThatOfTheEnergyIntegral) {
     EXPECT_DOUBLE_EQ(motion.ripple, (motion.max_speed - motion.min_speed) / motion.mean_speed);
 }
 
-TEST(ElasticHingeMotion, HingeIsExactAtItsDesignSpeedOnly) {
-    Input input = preset_zotov();
-    const double at_design = run(input, HingeSet::crank).ripple;
-    // The hinge itself keeps the speed; what ripple there is comes from the integration.
-    EXPECT_LT(move(input, solve(input), {}, HingeSet::crank, 1e-13).ripple, 1e-9);
-    input.motion = MotionWish{5.0, 150.0, 0.0, 0.0, false};
-    const Motion off = run(input, HingeSet::crank);
-    EXPECT_LT(at_design, 1e-8);
-    EXPECT_GT(off.ripple, 0.05);
-    EXPECT_LT(off.ripple, run(input, HingeSet::none).ripple);
-    EXPECT_LT(off.energy_drift, 1e-9);
-}
-
 /// Nothing drifts; what the tolerance bounds is the time, here of turns without hinge against the
 /// trapezoid rule for dφ/φ̇, which converges geometrically.
 TEST(ElasticHingeMotion, TimeIsAsGoodAsTheTolerance) {

@@ -163,36 +163,6 @@ TEST(ElasticHingeRod, CounterweightNeedsTheSignsOfNewtonAndEuler) {
     }
 }
 
-TEST(ElasticHingeRod, GuideDoesTheWorkOfTheMomentOverItsOwnAngle) {
-    for (const double lambda : {0.3, 0.85, 0.97}) {
-        Input input = preset_zotov();
-        input.lambda = lambda;
-        input.rod_hinge_spring = Spring{1e5, 0.2, 0.06};
-        const Result result = solve(input);
-        const Guide& guide = result.rod_guide;
-        ASSERT_TRUE(guide.feasible) << guide.reason.english();
-        const double mean = result.design->rod_hinge_mean();
-        for (std::size_t i = 1; i < guide.polar_angle.size(); ++i) {
-            EXPECT_GT(guide.polar_angle[i], guide.polar_angle[i - 1]);  // monotonic for λ < 1
-        }
-        EXPECT_NEAR(guide.polar_angle.back(), two_pi, 1e-14);
-        for (const double phi : {0.4, 1.5, 1.62, 3.0, 4.8}) {
-            // dΠ/dθ = M₁₂ − mean: what the hinge takes from rod and crank it stores.
-            const double h = 1e-5;
-            const auto stored = [&](double x) {
-                return test::energy_in(*guide.shape, guide.shape->at(Branch::compressed, x).radius);
-            };
-            const double slope = (stored(phi + h) - stored(phi - h)) /
-                                 (result.design->demand(Hinge::rod, phi + h).polar_angle -
-                                  result.design->demand(Hinge::rod, phi - h).polar_angle);
-            const double moment =
-                result.design->rod_moment(std::sin(phi), std::cos(phi)).value(100.0) - mean;
-            EXPECT_NEAR(slope, moment, 1e-5 * (1 + std::abs(moment))) << lambda << " " << phi;
-        }
-        EXPECT_NEAR(guide.radius_compressed.front(), guide.radius_compressed.back(), 1e-15);
-    }
-}
-
 TEST(ElasticHingeRod, BothHingesTogetherKeepTheEnergy) {
     for (const bool counterweight : {false, true}) {
         Input input = counterweight ? with_counterweight(0.05, CounterweightInertia::newton_euler)
