@@ -26,7 +26,6 @@
 #include "text/field_names.h"
 #include "text/language.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "workshop/older_formats.h"
 
 namespace ravnoves {
@@ -245,13 +244,6 @@ TEST(ErrorTextInEnglish, SaysPlacesInWords) {
               "Version: is required and missing, got a group of values");
     EXPECT_EQ(said(InputError("", finite, Number{1.2e200})),
               "must be a finite number, got 1.2·10²⁰⁰");
-}
-
-TEST_F(ErrorText, UnitsAreRussian) {
-    EXPECT_EQ(unitText("mm"), u"мм"_s);
-    EXPECT_EQ(unitText("min⁻¹"), u"мин⁻¹"_s);
-    EXPECT_EQ(unitText("°"), u"°"_s);
-    EXPECT_EQ(unitText(""), QString());
 }
 
 }  // namespace
