@@ -19,7 +19,6 @@
 #include "methods/methods_page.h"
 #include "methods/report.h"
 #include "model/case_document.h"
-#include "page/part_views.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shop/model/journal.h"
@@ -250,29 +249,6 @@ TEST_F(Change, AMovedLabelIsSeen) {
         }
     }
     EXPECT_GT(moved, 10);
-    EXPECT_EQ(now().differing, 0);
-}
-
-TEST_F(Change, ACurveOfAnotherColourIsSeen) {
-    int recoloured = 0;
-    for (PartPlot* plot : window->currentPage()->findChildren<PartPlot*>()) {
-        const Content content = plot->partModel()->part(plot->id());
-        const auto* figure = std::get_if<Figure>(&content);
-        for (std::size_t i = 0; plot->isVisible() && figure != nullptr && i < figure->curves.size();
-             ++i) {
-            Figure other = *figure;
-            plot::CurveStyle& style = other.curves[i].style;
-            if (!style.shown || style.name.isEmpty()) {
-                continue;  // an edge of something else
-            }
-            style.role = Role::Forbidden;
-            plot->showFigure(other);
-            EXPECT_FALSE(now().isSame()) << style.name.toStdString();
-            plot->showFigure(*figure);
-            ++recoloured;
-        }
-    }
-    EXPECT_GT(recoloured, 1);
     EXPECT_EQ(now().differing, 0);
 }
 
