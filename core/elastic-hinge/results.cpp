@@ -53,6 +53,11 @@ std::string_view word_of(MotionEnd end) {
     return words[static_cast<int>(end)];
 }
 
+/// The counterweight balances the rod's hinge alone.
+bool designs_rod_hinge(const Input& input) {
+    return input.rod_counterweight || input.rod_hinge_spring;
+}
+
 std::optional<double> when(bool there, double value) {
     return there ? std::optional(value) : std::nullopt;
 }
@@ -277,50 +282,59 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
                    notes.key, key::curves.key, "guide/largest_moment_Nm", "guide/compressed",
                    "guide/stretched", "guide/profile_error"});
     options.with_rod_guides =
-        wants_any({key::guide_beside_rod_hinge.key, key::rod_hinge_guide.key, key::motion.key});
+        wants_any({key::guide_beside_rod_hinge.key, key::rod_hinge_guide.key, key::motion.key}) ||
+        (designs_rod_hinge(input) && visitor.wants(ravnoves::result_field::verdict.key));
     visit_results(visitor, input, solve(input, options));
 }
 
 namespace {
 
 /// Without the warnings.
-Verdict guide_verdict(const Input& input, const Guide& guide) {
+Verdict guide_verdict(const Input& input, const Guide& guide, const ResultField& named) {
+    const Message name(named.label);
     if (!guide.feasible) {
-        return {Severity::error, Message(Text::tr("No guide: %1."), guide.reason),
+        return {Severity::error, Message(Text::tr("%1: none, because %2."), name, guide.reason),
                 guide.lacks_preload ? "minimum-preload" : ""};
     }
     if (guide.summary().undercut) {
         return {Severity::error,
-                Message(Text::tr("A roller of radius %1 undercuts the guide; the maximum is %2."),
-                        Number{input.roller_radius / units::mm, units::mm, 5},
+                Message(Text::tr("%1: a roller of radius %2 undercuts it; the maximum is %3."),
+                        name, Number{input.roller_radius / units::mm, units::mm, 5},
                         Number{*guide.summary().largest_roller_radius / units::mm, units::mm, -2})};
     }
-    const Number relief{guide.relief / units::mm, units::mm, -3};
-    const Number error{guide.error.amplitude / units::micrometre, units::micrometre, 3};
-    const Number spoilt{rounded_to_decimals(guide.error.relative / units::percent, 1),
-                        units::percent};
-    if (guide.error.relative > max_relative_error) {
-        return {Severity::warning,
-                Message(Text::tr("The guide cannot be made: its relief is %1, and a profile "
-                                 "error of %2 changes the moment by up to %3."),
-                        relief, error, spoilt)};
-    }
-    return {Severity::good,
-            Message(Text::tr("The guide is feasible: relief %1; a profile error of %2 changes "
-                             "the moment by up to %3."),
-                    relief, error, spoilt)};
+    const bool is_good = !(guide.error.relative > max_relative_error);
+    return {is_good ? Severity::good : Severity::warning,
+            Message(is_good ? Text::tr("%1: feasible, relief %2; a profile error of %3 changes the "
+                                       "moment by up to %4.")
+                            : Text::tr("%1: cannot be made, its relief is %2, and a profile error "
+                                       "of %3 changes the moment by up to %4."),
+                    name, Number{guide.relief / units::mm, units::mm, -3},
+                    Number{guide.error.amplitude / units::micrometre, units::micrometre, 3},
+                    Number{rounded_to_decimals(guide.error.relative / units::percent, 1),
+                           units::percent})};
 }
 
 }  // namespace
 
 Verdict verdict(const Input& input, const Result& result) {
     const Guide& guide = result.crank_guide;
-    Verdict verdict = guide_verdict(input, guide);
+    Verdict verdict = guide_verdict(input, guide, key::guide);
     for (const Message& note : result.notes) {
         verdict.warn(note);
     }
     if (!guide.feasible) {
         return verdict;
+    }
+    if (designs_rod_hinge(input)) {
+        for (const auto& [beside, name] :
+             {std::pair(&result.crank_guide_with_rod, key::guide_beside_rod_hinge),
+              std::pair(&result.rod_guide, key::rod_hinge_guide)}) {
+            const Verdict of = guide_verdict(input, *beside, name);
+            if (of.severity != Severity::good) {
+                verdict.warn(of.text);
+                verdict.severity = std::max(verdict.severity, of.severity);
+            }
+        }
     }
     if (input.guide_sign == GuideSign::as_printed) {
         verdict.warn(

@@ -5346,20 +5346,20 @@
         <translation>ω; модуль сравнивает её с 1,2 ω</translation>
     </message>
     <message>
-        <source>No guide: %1.</source>
-        <translation>Направляющей нет: %1.</translation>
+        <source>%1: none, because %2.</source>
+        <translation>%1: нет, потому что %2.</translation>
     </message>
     <message>
-        <source>A roller of radius %1 undercuts the guide; the maximum is %2.</source>
-        <translation>Ролик радиусом %1 подрезает направляющую; предел — %2.</translation>
+        <source>%1: a roller of radius %2 undercuts it; the maximum is %3.</source>
+        <translation>%1: ролик радиусом %2 подрезает её; предел — %3.</translation>
     </message>
     <message>
-        <source>The guide cannot be made: its relief is %1, and a profile error of %2 changes the moment by up to %3.</source>
-        <translation>Направляющую нельзя изготовить: её перепад %1, а погрешность профиля %2 меняет момент на величину до %3.</translation>
+        <source>%1: cannot be made, its relief is %2, and a profile error of %3 changes the moment by up to %4.</source>
+        <translation>%1: изготовить нельзя, перепад %2, а погрешность профиля %3 меняет момент на величину до %4.</translation>
     </message>
     <message>
-        <source>The guide is feasible: relief %1; a profile error of %2 changes the moment by up to %3.</source>
-        <translation>Направляющая осуществима: перепад %1; погрешность профиля %2 меняет момент на величину до %3.</translation>
+        <source>%1: feasible, relief %2; a profile error of %3 changes the moment by up to %4.</source>
+        <translation>%1: осуществима, перепад %2; погрешность профиля %3 меняет момент на величину до %4.</translation>
     </message>
     <message>
         <source>The preload exceeds the minimum by only %1 of %2.</source>
@@ -10777,9 +10777,9 @@
     </message>
     <message>
         <source>
-but no position is feasible</source>
+but at this l no α is feasible</source>
         <translation>
-но допустимых положений нет</translation>
+но при этом l допустимых α нет</translation>
     </message>
     <message>
         <source>%1° would give %2 less but does not fit</source>
@@ -11993,8 +11993,12 @@ but no position is feasible</source>
         <translation>В статье направляющая вращается с кривошипом, а пружина неподвижна: чертёж зеркален графику</translation>
     </message>
     <message>
-        <source>This guide is not feasible; see the verdict.</source>
-        <translation>Такая направляющая недопустима, см. вывод.</translation>
+        <source>This guide has no such branch.</source>
+        <translation>У этой направляющей нет такой ветви.</translation>
+    </message>
+    <message>
+        <source>No guide: %1.</source>
+        <translation>Направляющей нет: %1.</translation>
     </message>
 </context>
 <context>
@@ -13091,8 +13095,12 @@ but no position is feasible</source>
         <translation>остаток</translation>
     </message>
     <message>
-        <source>Maximum of the order with this shaft alone</source>
-        <translation>Максимум порядка с одним этим валом</translation>
+        <source>recip. left</source>
+        <translation>остаток (поступ.)</translation>
+    </message>
+    <message>
+        <source>Maximum of the reciprocating masses&apos; order with this shaft alone; the rotating masses are not in it</source>
+        <translation>Максимум порядка поступательных масс с одним этим валом; вращающиеся массы в него не входят</translation>
     </message>
     <message>
         <source>Force of the rotating masses, m R ω² |Σ exp(iκ)|</source>
@@ -16274,6 +16282,10 @@ but no position is feasible</source>
     <message>
         <source>nothing to cancel</source>
         <translation>гасить нечего</translation>
+    </message>
+    <message>
+        <source>recip. %1 → %2</source>
+        <translation>поступ. %1 → %2</translation>
     </message>
     <message>
         <source>mρ %1</source>

@@ -262,8 +262,10 @@ void GuideExportForm::showGuide() {
     csv_->setEnabled(possible);
     const Message overlap =
         elastic_hinge::overlap_note(guide.hinge, branch, model_->input().roller_radius);
-    note_->setText(!branch.exists     ? tr("This guide is not feasible; see the verdict.")
-                   : branch.undercut  ? tr("The roller undercuts this guide.")
+    note_->setText(!branch.exists     ? guide.feasible
+                                            ? tr("This guide has no such branch.")
+                                            : tr("No guide: %1.").arg(messageText(guide.reason))
+                       : branch.undercut ? tr("The roller undercuts this guide.")
                    : !overlap.empty() ? messageText(overlap)
                                       : tr("The profile is offset from the path of the roller's "
                                            "centre by the roller's radius."));

@@ -119,8 +119,9 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
         if (design.mass) {
             lines << tr("m %1").arg(short4(*design.mass, units::gram));
         }
-        lines << shownDigits(design.before, unit, 0) + QStringLiteral(" → ") +
-                     shownNumber(design.remaining, unit, 0);
+        lines << tr("recip. %1 → %2")
+                     .arg(shownDigits(design.before, unit, 0),
+                          shownNumber(design.remaining, unit, 0));
     } else {
         lines << tr("nothing to cancel");
     }

@@ -348,6 +348,7 @@ void MethodsPage::showWords() {
 }
 
 void MethodsPage::showVerdict() {
+    verdict_->setVisible(!isInFront(validation_));  // whose counts are its first line
     if (isInFront(case_)) {
         verdict_->show(budget_->verdict());
         return;

@@ -160,7 +160,8 @@ void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
     const bool isOld = model_->isStale() && !model_->isPartial();
     const bool isFaded = isOld && sweep != nullptr;
-    plot_->setFaded(isFaded, isFaded ? tr("Computing…") : QString());
+    const QString& trouble = model_->trouble();
+    plot_->setFaded(isFaded, !isFaded ? QString() : trouble.isEmpty() ? tr("Computing…") : trouble);
     share_->setFaded(isFaded);
     words_->setText(sweepWords(*study_, *model_));
     const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&

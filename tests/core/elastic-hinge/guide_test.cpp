@@ -246,6 +246,22 @@ TEST(ElasticHingeGuide, SpringsThatBecomeTooShortAreDoubted) {
     }
 }
 
+TEST(ElasticHingeGuide, TheVerdictIsOfEachHingeThatIsDesigned) {
+    Input input = preset_zotov();
+    input.roller_radius = 0.01;
+    input.spring = Spring{2e5, 0.2, 0.08};
+    ASSERT_EQ(verdict(input, solve(input)).severity, Severity::good);
+    input.rod_hinge_spring = Spring{2e5, 0.2, 0.0999};
+    const Result result = solve(input);
+    ASSERT_TRUE(result.crank_guide.feasible);
+    ASSERT_FALSE(result.rod_guide.feasible);
+    const Verdict told = verdict(input, result);
+    EXPECT_EQ(told.severity, Severity::error);
+    EXPECT_NE(told.text.english().find("Rod hinge guide: none, because from a crank angle"),
+              std::string::npos)
+        << told.text.english();
+}
+
 // What a designer reads must not depend on where samples fall.
 TEST(ElasticHingeGuide, NoNumberDependsOnTheSamples) {
     for (const double lambda : {0.3, 0.7, 0.93}) {

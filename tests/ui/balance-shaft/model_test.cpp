@@ -81,7 +81,7 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     model.goToBest(By::range);
     EXPECT_NEAR(model.shaftAngleDeg(), 50.65, 0.05);
     EXPECT_NEAR(model.result().M_ups.range, 1066.75, 0.1);
-    EXPECT_TRUE(model.bestText(By::range).endsWith(QStringLiteral("but no position is feasible")));
+    EXPECT_TRUE(model.bestText(By::range).endsWith(QStringLiteral("but at this l no α is feasible")));
     EXPECT_TRUE(model.notesText().contains(QStringLiteral("No feasible position")));
     model.goToBest(By::rms);
     EXPECT_NEAR(model.shaftAngleDeg(), 11.76, 0.05);

@@ -439,7 +439,7 @@ QString BalanceShaftModel::bestText(Criterion criterion) const {
         (byRange ? tr("Minimum range %2 at %1°") : tr("Minimum RMS %2 at %1°"))
             .arg(number(*found.shaft_angle / degree, 2), shownNumber(found.value, units::N_m, 1));
     if (result().buildable.stretches.empty()) {
-        text += tr("\nbut no position is feasible");
+        text += tr("\nbut at this l no α is feasible");
     } else if (const ResultCell less = shownCell(found.value - all.value, units::N_m, 1);
                all.shaft_angle && less.text != shownCell(0.0, units::N_m, 1).text) {
         text += QLatin1Char('\n') + tr("%1° would give %2 less but does not fit")

@@ -163,7 +163,9 @@ Results InertiaMomentsModel::shaftResults() const {
           tr("Weight times radius: m ρ (kω)² is the force, m ρ L (kω)² the moment cancelled")},
          {tr("at, °"),
           tr("Direction of its weight (towards cylinder 1) at φ = 0, counter-clockwise from x")},
-         {tr("residual"), tr("Maximum of the order with this shaft alone")}}};
+         {tr("recip. left"),
+          tr("Maximum of the reciprocating masses' order with this shaft alone; the rotating "
+             "masses are not in it")}}};
     ResultRows& rows = results.rows;
     for (const ShaftDesign& design : result().shafts) {
         const QString mark =
