@@ -13664,6 +13664,18 @@ but at this l no α is feasible</source>
         <translation>Копировать результаты как &amp;текст</translation>
     </message>
     <message>
+        <source>Copy results</source>
+        <translation>Скопировать результаты</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Настройки</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Весы</translation>
+    </message>
+    <message>
         <source>Results copied as text</source>
         <translation>Результаты скопированы как текст</translation>
     </message>

@@ -12,6 +12,7 @@
 #include "model/case_document.h"
 #include "model/input_differences.h"
 #include "model/variant_results.h"
+#include "page/rejected_entries.h"
 #include "page/scene_page.h"
 #include "report/case_parts.h"
 #include "report/input_tables.h"
@@ -201,8 +202,14 @@ void addVariants(Paper& report, const SceneModel& model) {
 }
 
 /// The answer: what holds, the picture, the leading results.
-void addAnswer(Paper& report, const SceneModel& model, const PageGroup& answer) {
-    if (const std::optional<Verdict> verdict = model.verdictShown()) {
+void addAnswer(Paper& report, const ScenePage& page, const SceneModel& model,
+               const PageGroup& answer) {
+    if (QString rejected = rejectedWords(&page); !rejected.isEmpty()) {
+        // A verdict on values that are to be others is none.
+        report.say(rejected.replace(QStringLiteral("\n\n"), QStringLiteral(" "))
+                       .replace(QLatin1Char('\n'), QStringLiteral("; ")),
+                   Tone::Error);
+    } else if (const std::optional<Verdict> verdict = model.verdictShown()) {
         report.say(
             severityName(verdict->severity) + QStringLiteral(": ") + messageText(verdict->text),
             toneOf(verdict->severity));
@@ -229,7 +236,7 @@ Paper makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& ch
                                                           .toHtmlEscaped());
     const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
     const auto [answer, groups] = caseParts(page, report, ofParts);
-    addAnswer(report, model, answer);
+    addAnswer(report, page, model, answer);
     addVariants(report, model);
     if (!model.study().empty()) {
         patience.tell(ReportWords::tr("Tolerances"), 0.7);

@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -55,6 +56,11 @@ MainWindow::MainWindow(First first) {
     scale_ = new ScaleButton(this);
     statusBar()->addPermanentWidget(scale_);
     connect(scale_, &ScaleButton::status, this, [this](const QString& text) { say(text, 10s); });
+    connect(scale_, &ScaleButton::clicked, this, [this] {
+        if (mayRenew(tr("Scale"))) {
+            scale_->openSettings();
+        }
+    });
     buildNavigation();
     buildMenus();
     hint_ = new QLabel(this);
@@ -95,6 +101,12 @@ MainWindow::MainWindow(First first) {
 MainWindow::~MainWindow() {
     // The field with the focus reports what was typed, and the title follows: while there is one.
     hide();
+}
+
+bool MainWindow::mayRenew(const QString& title) {
+    return std::ranges::all_of(documents_->all(), [&](const auto& each) {
+        return continueWithoutRejected(each->page, title);
+    });
 }
 
 void MainWindow::renew() {
@@ -424,6 +436,13 @@ void MainWindow::exportPicture() {
                               return writePicture(path, page->size(),
                                                   documents_->current().document->name(), draw);
                           });
+}
+
+void MainWindow::copyResults(QString (ScenePage::*results)() const, const QString& said) {
+    if (continueWithoutRejected(currentPage(), tr("Copy results"))) {
+        QApplication::clipboard()->setText((currentPage()->*results)());
+        say(said);
+    }
 }
 
 QString MainWindow::writeReport(const QString& path, const Patience& patience) {

@@ -78,6 +78,9 @@ class MainWindow : public QMainWindow {
     void buildMenus();
     /// Makes menus, navigation and pages again, in the present language, units and size of text.
     void renew();
+    /// Settings make the pages again: asks where that would discard rejected texts.
+    bool mayRenew(const QString& title);
+    void copyResults(QString (ScenePage::*results)() const, const QString& said);
     void showCurrent();
     /// Brings the documents back in front of the start page.
     void leaveStart();

@@ -1,8 +1,6 @@
 // The menus, the tool bar and the navigation of the window.
 
 #include <QActionGroup>
-#include <QApplication>
-#include <QClipboard>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
@@ -216,14 +214,12 @@ void MainWindow::buildMenus() {
     redo_->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
     edit->addSeparator();
-    QAction* copyText = add(edit, QStringLiteral("copy"), tr("Copy results as &text"),
-                            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), [this] {
-                                QApplication::clipboard()->setText(currentPage()->resultsAsText());
-                                say(tr("Results copied as text"));
-                            });
+    QAction* copyText =
+        add(edit, QStringLiteral("copy"), tr("Copy results as &text"),
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+            [this] { copyResults(&ScenePage::resultsAsText, tr("Results copied as text")); });
     QAction* copyCsv = add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
-        QApplication::clipboard()->setText(currentPage()->resultsAsCsv());
-        say(tr("Results copied as CSV"));
+        copyResults(&ScenePage::resultsAsCsv, tr("Results copied as CSV"));
     });
 
     edit->addSeparator();
@@ -241,11 +237,14 @@ void MainWindow::buildMenus() {
             dialog->open();
         });
     add(edit, {}, tr("&Settings…"), QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] {
+        if (!mayRenew(tr("Settings"))) {
+            return;
+        }
         auto* dialog = new SettingsDialog(this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->open();
     });
-    add(edit, {}, tr("Sca&le…"), {}, [this] { scale_->openSettings(); });
+    add(edit, {}, tr("Sca&le…"), {}, [this] { scale_->click(); });
 
     sceneMenu_ = menuBar()->addMenu(QString());
 

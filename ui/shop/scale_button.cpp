@@ -14,7 +14,6 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
     setObjectName(QStringLiteral("scale_button"));
     setAutoRaise(true);
     setFocusPolicy(Qt::TabFocus);  // a click must not take the focus from the cell
-    connect(this, &QToolButton::clicked, this, &ScaleButton::openSettings);
     connect(reader_, &ScaleReader::connectionChanged, this, [this] {
         showConnection();
         if (!reader_->trouble().isEmpty()) {

@@ -21,7 +21,9 @@
 #include "processor_time.h"
 #include "report/report_dialog.h"
 #include "shell/case_properties.h"
+#include "shell/settings_dialog.h"
 #include "shell/window_test.h"
+#include "shop/scale_dialog.h"
 #include "text/file_path.h"
 #include "widgets/number_field.h"
 #include "widgets/table_editor.h"
@@ -227,9 +229,24 @@ TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     press(Qt::Key_R);
     ASSERT_EQ(asked.size(), 2);
     EXPECT_EQ(asked[1], asked[0]);
+    // Pages that are made again would discard them; a table in the clipboard says nothing of them.
+    QApplication::clipboard()->setText(u"before"_s);
+    for (const char* name : {"Settings", "Scale", "Copy results as text", "Copy results as CSV"}) {
+        answer("Stay");
+        action(QString::fromUtf8(name))->trigger();
+    }
+    ASSERT_EQ(asked.size(), 6);
+    EXPECT_EQ(window->findChild<SettingsDialog*>(), nullptr);
+    EXPECT_EQ(window->findChild<ScaleDialog*>(), nullptr);
+    EXPECT_EQ(QApplication::clipboard()->text(), u"before"_s);
+    const QString report = folder.filePath(u"report.html"_s);
+    ASSERT_EQ(window->writeReport(report), QString());
+    const std::string written = read_text_file(fsPath(report));
+    EXPECT_NE(written.find("“abc” is not a number"), std::string::npos);
+    EXPECT_EQ(written.find("OK: "), std::string::npos);
     answer("Continue without them");
     press(Qt::Key_S);
-    ASSERT_EQ(asked.size(), 3);
+    ASSERT_EQ(asked.size(), 7);
     EXPECT_NE(read_text_file(fsPath(path)), before);
     EXPECT_EQ(read(path).at("input").at("crank_radius_mm"),
               parse_json(before).at("input").at("crank_radius_mm"));
@@ -237,7 +254,7 @@ TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     ASSERT_TRUE(window->newCase(QStringLiteral("balance-shaft")));
     typed = QStringList{file("new.case.json")};
     press(Qt::Key_S);
-    EXPECT_EQ(asked.size(), 3);
+    EXPECT_EQ(asked.size(), 7);
     EXPECT_TRUE(QFile::exists(file("new.case.json")));
     EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("new.case.json")));
 }
