@@ -1798,6 +1798,10 @@
         <translation>Результаты — по прежнему значению красного поля.</translation>
     </message>
     <message>
+        <source>Results use the previous values of the red fields.</source>
+        <translation>Результаты — по прежним значениям красных полей.</translation>
+    </message>
+    <message>
         <source>none of them</source>
         <translation>ни одного</translation>
     </message>

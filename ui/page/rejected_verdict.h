@@ -5,16 +5,22 @@
 
 #include "case-file/verdict.h"
 #include "model/scene_model.h"
+#include "widgets/table_editor.h"
 #include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
-/// The verdict of a page; while an entry is rejected it says that it is of the value before.
+/// The verdict of a page; while entries are rejected it says that it is of the values before.
 inline Verdict withRejected(Verdict verdict, const SceneModel& model) {
     if (model.hasRejected()) {
+        const auto* table = qobject_cast<const TableEditor*>(model.rejectedIn().front());
+        const bool isOne = model.rejectedIn().size() == 1 &&
+                           (table == nullptr || !table->trouble().contains(QLatin1Char('\n')));
         verdict.severity = std::max(verdict.severity, Severity::warning);
         verdict.text =
-            Message(Text{"%1 %2"}, Text::tr("Results use the previous value of the red field."),
+            Message(Text{"%1 %2"},
+                    isOne ? Text::tr("Results use the previous value of the red field.")
+                          : Text::tr("Results use the previous values of the red fields."),
                     verdict.text);
     }
     return verdict;
