@@ -2,6 +2,7 @@
 
 #include <QBuffer>
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "pictures/clipped_svg.h"
 #include "theme/theme.h"
@@ -73,7 +74,12 @@ QString table(const Table& table) {
 Table tableOf(const Results& results) {
     Table table;
     for (const ResultColumn& column : results.columns) {
-        table.numbers << !table.headings.isEmpty();
+        const qsizetype place = table.headings.size();
+        // What has no digits begins beside the column before it: a unit beside its number.
+        table.numbers << (place > 0 && std::ranges::any_of(results.rows, [&](const ResultRow& row) {
+                              return std::ranges::any_of(row.value(place).text,
+                                                         [](QChar sign) { return sign.isDigit(); });
+                          }));
         table.headings << column.heading.toHtmlEscaped();
     }
     for (const ResultRow& row : results.rows) {

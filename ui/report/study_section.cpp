@@ -76,26 +76,29 @@ Table foundValues(const StudyAnswers& answers, const StudyModel& model) {
     const studies::Study& study = model.study();
     Table table;
     table.caption = ReportWords::tr("Results with tolerances");
-    table.headings = {ReportWords::tr("Result"),  ReportWords::tr("Unit"),
-                      ReportWords::tr("Nominal"), ReportWords::tr("Mean"),
-                      QStringLiteral("σ"),        QStringLiteral("5 %"),
-                      QStringLiteral("95 %"),     ReportWords::tr("Within the limits")};
-    table.numbers = {false, false, true, true, true, true, true, true};
+    table.headings = {ReportWords::tr("Result"),
+                      ReportWords::tr("Nominal"),
+                      ReportWords::tr("Mean"),
+                      QStringLiteral("σ"),
+                      QStringLiteral("5 %"),
+                      QStringLiteral("95 %"),
+                      ReportWords::tr("Within the limits")};
+    table.numbers = {false, true, true, true, true, true, true};
     table.isSmall = true;
     for (const StudyAnswer& value : answers.values) {
         const auto watched =
             std::ranges::find(study.watch, value.pointer, &studies::Watched::pointer);
         const ResultName name = model.resultName(value.pointer);
-        const ShownUnit unit = name.shown();
+        const double factor = name.shown().factor;
         const auto shown = [&](const std::optional<double>& each) {
-            return value.text(each, unit.factor);
+            return value.text(each, factor);
         };
         QStringList cells;
         for (const QString& text :
-             {name.text, unit.name, shown(value.nominal), shown(value.mean),
+             {name.withUnit(), shown(value.nominal), shown(value.mean),
               shown(value.deviation ? value.deviation : value.linearDeviation), shown(value.low),
               shown(value.high),
-              watched != study.watch.end() ? shareText(value, *watched, unit.factor) : QString()}) {
+              watched != study.watch.end() ? shareText(value, *watched, factor) : QString()}) {
             cells << text.toHtmlEscaped();
         }
         table.rows << cells;

@@ -204,6 +204,12 @@ class ReportInWindow : public ::testing::Test {
     MainWindow window;
 };
 
+TEST(ReportTable, HasAUnitBesideItsNumber) {
+    const Results results{{u"Quantity"_s, u"Value"_s, u"Unit"_s},
+                          {{{u"Speed"_s, ResultCell(5.0, u"5.0"_s), u"min⁻¹"_s}, {}}}};
+    EXPECT_EQ(paper::tableOf(results).numbers, (QVector<bool>{false, true, false}));
+}
+
 TEST_F(ReportInWindow, PrintsTheTableOfTheTorqueAndNothingOfAnEmptyFieldBesideAValue) {
     ASSERT_EQ(window.openCase(example()), QString());
     SceneModel& model = *window.currentPage()->model();
