@@ -14944,28 +14944,8 @@ but at this l no α is feasible</source>
         <translation>выборка: %1, начальное число %2</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Результат</translation>
-    </message>
-    <message>
-        <source>Nominal</source>
-        <translation>Номинал</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Среднее</translation>
-    </message>
-    <message>
-        <source>Within the limits</source>
-        <translation>В пределах</translation>
-    </message>
-    <message>
         <source>Tolerances</source>
         <translation>Допуски</translation>
-    </message>
-    <message>
-        <source>Samples solved: %1</source>
-        <translation>Решено проб: %1</translation>
     </message>
     <message>
         <source>derived, see Help (F1)</source>
@@ -15030,10 +15010,6 @@ but at this l no α is feasible</source>
     <message>
         <source>Only differences are listed, inputs first; in brackets the difference from the reference. ★ marks the best of those without a warning.</source>
         <translation>Перечислено только то, что отличается, сначала исходные данные; в скобках разность с эталоном. ★ отмечает лучшее из вариантов без предупреждений.</translation>
-    </message>
-    <message>
-        <source>Rejected: %1 × %2</source>
-        <translation>Не принято: %1 × %2</translation>
     </message>
     <message>
         <source>In the plots the curves of %1 are dimmed and wide.</source>

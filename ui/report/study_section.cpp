@@ -30,17 +30,15 @@ void waitFor(const auto& model, const Patience& patience) {
     }
 }
 
-QString shareText(const StudyAnswer& value, const studies::Watched& watched, double factor) {
-    QString limits = QStringLiteral("–");
+/// The limits of a watched result; empty without any.
+QString limitsText(const studies::Watched& watched, double factor) {
     const auto shown = [&](double limit) { return shownFormNumber(factor * limit, QLocale(), 6); };
     if (watched.min && watched.max) {
-        limits = shown(*watched.min) + QStringLiteral(" … ") + shown(*watched.max);
-    } else if (watched.min) {
-        limits = QStringLiteral("≥ ") + shown(*watched.min);
-    } else if (watched.max) {
-        limits = QStringLiteral("≤ ") + shown(*watched.max);
+        return shown(*watched.min) + QStringLiteral(" … ") + shown(*watched.max);
     }
-    return value.within ? limits + QStringLiteral(": ") + value.withinText() : limits;
+    return watched.min   ? QStringLiteral("≥ ") + shown(*watched.min)
+           : watched.max ? QStringLiteral("≤ ") + shown(*watched.max)
+                         : QString();
 }
 
 Table givenTolerances(StudyModel& study) {
@@ -72,37 +70,21 @@ QString methodText(const studies::Study& study) {
     return text;
 }
 
-Table foundValues(const StudyAnswers& answers, const StudyModel& model) {
-    const studies::Study& study = model.study();
-    Table table;
-    table.caption = ReportWords::tr("Results with tolerances");
-    table.headings = {ReportWords::tr("Result"),
-                      ReportWords::tr("Nominal"),
-                      ReportWords::tr("Mean"),
-                      QStringLiteral("σ"),
-                      QStringLiteral("5 %"),
-                      QStringLiteral("95 %"),
-                      ReportWords::tr("Within the limits")};
-    table.numbers = {false, true, true, true, true, true, true};
-    table.isSmall = true;
-    for (const StudyAnswer& value : answers.values) {
-        const auto watched =
-            std::ranges::find(study.watch, value.pointer, &studies::Watched::pointer);
-        const ResultName name = model.resultName(value.pointer);
-        const double factor = name.shown().factor;
-        const auto shown = [&](const std::optional<double>& each) {
-            return value.text(each, factor);
-        };
-        QStringList cells;
-        for (const QString& text :
-             {name.withUnit(), shown(value.nominal), shown(value.mean),
-              shown(value.deviation ? value.deviation : value.linearDeviation), shown(value.low),
-              shown(value.high),
-              watched != study.watch.end() ? shareText(value, *watched, factor) : QString()}) {
-            cells << text.toHtmlEscaped();
+/// With the limits beside the share of the samples within them.
+Table foundValues(const StudyModel& study) {
+    Results results = foundResults(study);
+    for (ResultRow& row : results.rows) {
+        const auto place = static_cast<std::size_t>(&row - results.rows.data());
+        const studies::Watched& watched = study.study().watch[place];
+        const QString limits =
+            limitsText(watched, study.resultName(watched.pointer).shown().factor);
+        if (!limits.isEmpty()) {
+            row.last().text = limits + QStringLiteral(": ") + row.last().text;
         }
-        table.rows << cells;
     }
+    Table table = tableOf(results);
+    table.caption = ReportWords::tr("Results with tolerances");
+    table.isSmall = true;
     return table;
 }
 
@@ -184,19 +166,10 @@ void addTolerances(Paper& report, SceneModel& model, const Patience& patience) {
         return;
     }
     report.say(methodText(study.study()));
-    report.body += table(foundValues(*answers, study));
-    if (studies::is_sampled(study.study().method)) {
-        report.say(ReportWords::tr("Samples solved: %1")
-                       .arg(QLocale().toString(qulonglong(answers->solved))),
-                   Tone::Muted);
-    }
-    if (const QString feasible = answers->feasibleText(); !feasible.isEmpty()) {
-        report.say(feasible, answers->isRarelyFeasible() ? Tone::Warning : Tone::Muted);
-    }
-    for (const auto& [reason, count] : study.rejected()) {
-        report.say(
-            ReportWords::tr("Rejected: %1 × %2").arg(QLocale().toString(qulonglong(count)), reason),
-            Tone::Muted);
+    report.body += table(foundValues(study));
+    for (const QString& line : samplesWords(study)) {
+        const bool isRare = answers->isRarelyFeasible() && line == answers->feasibleText();
+        report.say(line, isRare ? Tone::Warning : Tone::Muted);
     }
     for (const QString& note : study.notes()) {
         report.say(note, Tone::Warning);

@@ -313,15 +313,7 @@ QWidget* ToleranceWindow::makeFound() {
     QVBoxLayout* column = columnIn(holder);
     table_ = new ResultTable(holder);
     table_->setAccessibleName(tr("Results with tolerances"));
-    table_->setColumns(
-        {tr("Result"),
-         {tr("Nominal"), tr("Without tolerances.")},
-         {tr("Mean"), tr("Mean of all solved samples.")},
-         {QStringLiteral("σ"), tr("Standard deviation of the samples.")},
-         {tr("σ, linear"), tr("Standard deviation by the slopes at the nominal values.")},
-         {QStringLiteral("5 %"), tr("5 % of the samples are smaller.")},
-         {QStringLiteral("95 %"), tr("5 % of the samples are larger.")},
-         {tr("Within"), tr("Share of the samples within the limits, with its 95 % interval.")}});
+    table_->setColumns(foundResults(*model_).columns);
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
         histogram_->resetZoom();  // to part of another result
         showChosen();
@@ -421,7 +413,6 @@ void ToleranceWindow::showAnswers() {
 void ToleranceWindow::showFound() {
     fitTitles(tabs_);
     QStringList lines;
-    ResultRows rows;
     const QStringList rejected =
         static_cast<const ScatterTable*>(inputs_->view()->model())->rejectedNames();
     if (!rejected.isEmpty()) {
@@ -437,28 +428,10 @@ void ToleranceWindow::showFound() {
     if (!model_->trouble().isEmpty()) {
         lines << model_->trouble();
     } else if (answers != nullptr) {
-        for (const StudyAnswer& value : answers->values) {
-            const ResultName name = model_->resultName(value.pointer);
-            const auto shown = [&](const std::optional<double>& each) {
-                return value.text(each, name.shown().factor);
-            };
-            rows.push_back(
-                {name.withUnit(), shown(value.nominal), shown(value.mean), shown(value.deviation),
-                 shown(value.linearDeviation) + (value.fails ? QStringLiteral(" ⚠") : QString()),
-                 shown(value.low), shown(value.high), value.withinText()});
-        }
         if (model_->isStale()) {
             lines << tr("Values before the change; computing…");
         }
-        if (studies::is_sampled(model_->study().method)) {
-            lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
-            if (const QString feasible = answers->feasibleText(); !feasible.isEmpty()) {
-                lines << feasible;
-            }
-        }
-        for (const auto& [reason, count] : model_->rejected()) {
-            lines << tr("Rejected: %1 × %2").arg(QLocale().toString(count), reason);
-        }
+        lines << samplesWords(*model_);
         lines << model_->notes();
     }
     const Theme& theme = Theme::instance();
@@ -469,15 +442,15 @@ void ToleranceWindow::showFound() {
     colourText(words_, rejected.isEmpty() ? &Theme::mutedText : &Theme::warning);
     table_->setPalette(ink);
     const QSignalBlocker block(table_);  // no row that the user chose
-    table_->setRows(rows);
-    for (int row = 0; row < rows.size(); ++row) {
+    table_->setRows(model_->trouble().isEmpty() ? foundResults(*model_).rows : ResultRows());
+    for (int row = 0; row < table_->rowCount(); ++row) {
         const StudyAnswer& value = answers->values[static_cast<std::size_t>(row)];
         if (value.fails) {
             constexpr int linearColumn = 4;
             table_->item(row, linearColumn)->setToolTip(model_->failure(value));
         }
     }
-    if (table_->currentRow() < 0 && !rows.isEmpty()) {
+    if (table_->currentRow() < 0 && table_->rowCount() > 0) {
         table_->setCurrentCell(0, 0);
     }
     words_->setText(lines.join(QLatin1Char('\n')));

@@ -225,10 +225,10 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     static const QRegularExpression tags(u"(<[^>]*>\\n?)+"_s);
     const QString body = section().body;
     const QStringList found = body.mid(body.lastIndexOf(u"<tr>"_s)).split(tags, Qt::SkipEmptyParts);
-    ASSERT_GE(found.size(), 7);
+    ASSERT_GE(found.size(), 8);
     EXPECT_EQ(found[0], table->item(0, 0)->text());
     EXPECT_EQ(found[1], table->item(0, 1)->text());
-    EXPECT_TRUE(found[6].contains(limit())) << found[6].toStdString();
+    EXPECT_TRUE(found[7].contains(limit())) << found[7].toStdString();
 }
 
 TEST_F(Tolerances, NoShareIsGivenToWhatHasNoEffect) {

@@ -151,4 +151,45 @@ Figure histogramFigure(const StudyModel& study, const StudyAnswer* value) {
     return figure;
 }
 
+Results foundResults(const StudyModel& study) {
+    Results results{
+        {HistogramWords::tr("Result"),
+         {HistogramWords::tr("Nominal"), HistogramWords::tr("Without tolerances.")},
+         {HistogramWords::tr("Mean"), HistogramWords::tr("Mean of all solved samples.")},
+         {QStringLiteral("σ"), HistogramWords::tr("Standard deviation of the samples.")},
+         {HistogramWords::tr("σ, linear"),
+          HistogramWords::tr("Standard deviation by the slopes at the nominal values.")},
+         {QStringLiteral("5 %"), HistogramWords::tr("5 % of the samples are smaller.")},
+         {QStringLiteral("95 %"), HistogramWords::tr("5 % of the samples are larger.")},
+         {HistogramWords::tr("Within"),
+          HistogramWords::tr("Share of the samples within the limits, with its 95 % interval.")}}};
+    for (const StudyAnswer& value :
+         study.answers() != nullptr ? study.answers()->values : std::vector<StudyAnswer>()) {
+        const ResultName name = study.resultName(value.pointer);
+        const auto shown = [&](const std::optional<double>& each) {
+            return value.text(each, name.shown().factor);
+        };
+        results.rows.push_back(
+            {name.withUnit(), shown(value.nominal), shown(value.mean), shown(value.deviation),
+             shown(value.linearDeviation) + (value.fails ? QStringLiteral(" ⚠") : QString()),
+             shown(value.low), shown(value.high), value.withinText()});
+    }
+    return results;
+}
+
+QStringList samplesWords(const StudyModel& study) {
+    QStringList lines;
+    if (studies::is_sampled(study.study().method)) {
+        lines << HistogramWords::tr("Samples solved: %1")
+                     .arg(QLocale().toString(qulonglong(study.answers()->solved)));
+        lines << study.answers()->feasibleText();
+        lines.removeAll(QString());
+    }
+    for (const auto& [reason, count] : study.rejected()) {
+        lines << HistogramWords::tr("Rejected: %1 × %2")
+                     .arg(QLocale().toString(qulonglong(count)), reason);
+    }
+    return lines;
+}
+
 }  // namespace ravnoves

@@ -35,13 +35,6 @@ Study freshStudy() {
     return study;
 }
 
-/// Why something does not exist, in the language of the program. Of what a result says in English,
-/// what holds no values is known.
-QString whyText(const Message& why) {
-    return why.verbatim().empty() ? messageText(why)
-                                  : QCoreApplication::translate(core_texts, why.verbatim().c_str());
-}
-
 /// Of what no description names.
 ResultName nameByKeys(const std::string& pointer) {
     ResultName name;
@@ -84,7 +77,7 @@ StudyModel::StudyModel(SceneModel* scene, QObject* parent)
     connect(scene_, &SceneModel::studyChanged, this, &StudyModel::follow);
     connect(scene_, &SceneModel::historyChanged, this, &StudyModel::move);
     connect(job_, &BackgroundJob::failed, this,
-            [this](const QString& why) { show(std::nullopt, named(why)); });
+            [this](const QString& why) { show(std::nullopt, why); });
     follow();
 }
 
@@ -138,7 +131,6 @@ void StudyModel::refresh() {
         }
         found->varied = varied;
     }
-    trouble_ = named(trouble_);
     Q_EMIT changed();
 }
 
@@ -226,62 +218,40 @@ ShownTitle StudyModel::inputTitle(const std::string& pointer) const {
                : ShownTitle{titleWithUnit(found->name, found->shown.name), found->shown.factor};
 }
 
-QString StudyModel::named(QString text) const {
-    std::vector<std::pair<QString, QString>> names;
-    const auto add = [&](const std::string& pointer) {
-        for (const std::string& place : {"/input" + pointer, studies::vary_place(pointer),
-                                         studies::watch_place(pointer), pointer}) {
-            names.emplace_back(QString::fromStdString(place), inputName(pointer));
-        }
-    };
-    for (const Input& input : inputs_) {
-        add(input.pointer);
-    }
-    const Json study = Json::parse(scene_->study(), nullptr, false);  // it may be rejected
-    for (const char* list : {"vary", "watch"}) {
-        const Json pointers =
-            study.is_object() ? study.value(list, Json::object()) : Json::object();
-        for (const auto& each : pointers.items()) {
-            add(each.key());
-        }
-    }
-    // The longest first: one may begin as another.
-    std::sort(names.begin(), names.end(), [](const auto& one, const auto& other) {
-        return one.first.size() > other.first.size();
-    });
-    for (const auto& [pointer, name] : names) {
-        text.replace(pointer, tr("“%1”").arg(name));
-    }
-    return text;
+QString StudyModel::named(const Message& message) const {
+    return messageText(message, {.word = [this](const std::string& word) {
+                           const std::string root = "/input";
+                           const bool isInput = word.starts_with(root + '/');
+                           const std::string pointer = isInput ? word.substr(root.size()) : word;
+                           const bool isPlace =
+                               isInput || known(pointer) != nullptr ||
+                               std::ranges::find(study_.watch, pointer, &Watched::pointer) !=
+                                   study_.watch.end();
+                           return isPlace ? tr("“%1”").arg(inputName(pointer))
+                                          : QCoreApplication::translate(core_texts, word.c_str());
+                       }});
 }
 
 QStringList StudyModel::notes() const {
     QStringList notes;
     for (const Message& note : answers_ ? answers_->notes : std::vector<Message>()) {
-        notes << named(messageText(note));
+        notes << named(note);
     }
     return notes;
 }
 
 QString StudyModel::failure(const StudyAnswer& answer) const {
-    return answer.fails ? named(messageText(*answer.fails)) : QString();
+    return answer.fails ? named(*answer.fails) : QString();
 }
 
 std::vector<std::pair<QString, std::uint64_t>> StudyModel::rejected() const {
     std::vector<std::pair<QString, std::uint64_t>> all;
     if (answers_) {
         for (const studies::Rejection& rejection : answers_->rejected) {
-            all.emplace_back(reasonText(rejection.reason), rejection.count);
+            all.emplace_back(named(rejection.reason.message()), rejection.count);
         }
     }
     return all;
-}
-
-QString StudyModel::reasonText(const Reason& reason) const {
-    const QString why = whyText(reason.why);
-    return named(reason.where.empty()
-                     ? why
-                     : QString::fromStdString(reason.where.english()) + QStringLiteral(": ") + why);
 }
 
 bool StudyModel::isBusy() const {

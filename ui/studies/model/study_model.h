@@ -109,8 +109,8 @@ class StudyModel : public QObject {
     std::vector<std::pair<QString, std::uint64_t>> rejected() const;
     /// They are of an earlier state, and newer ones are being computed.
     bool isStale() const { return stale_; }
-    /// The text with names of inputs and results in the place of pointers.
-    QString named(QString text) const;
+    /// With names of inputs and results in the place of their pointers.
+    QString named(const Message& message) const;
 
   Q_SIGNALS:
     /// Inputs, study or trouble.
@@ -125,8 +125,6 @@ class StudyModel : public QObject {
     void refresh();
     /// The history says that something happened: a drag says no more than that.
     void move();
-    /// With the name of the place.
-    QString reasonText(const Reason& reason) const;
     void readStudy();
     /// Puts the typed scatter of an input into a study.
     /// @return an empty string, or the fault

@@ -170,7 +170,7 @@ SweepModel::SweepModel(StudyModel* study, QObject* parent)
     job_->setPatience(0, sweepRestMs, true);
     connect(study_, &StudyModel::changed, this, &SweepModel::follow);
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
-        trouble_ = study_->named(why);
+        trouble_ = why;
         Q_EMIT changed();
     });
     follow();
