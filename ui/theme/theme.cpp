@@ -413,41 +413,6 @@ QFont Theme::font(int pixelSize, bool bold) {
     return *made.insert(key, font);
 }
 
-QColor Theme::window() const {
-    return dark_ ? QColor(0x1b1e23) : QColor(0xeef0f3);
-}
-QColor Theme::panel() const {
-    return dark_ ? QColor(0x24282e) : QColor(0xffffff);
-}
-QColor Theme::border() const {
-    return dark_ ? QColor(0x3a4048) : QColor(0xd3d7dd);
-}
-QColor Theme::fieldBorder(bool isEnabled) const {
-    return dark_ ? QColor(isEnabled ? 0x7d8793 : 0x5c646e)
-                 : QColor(isEnabled ? 0x757e88 : 0xa0a7af);
-}
-QColor Theme::text() const {
-    return dark_ ? QColor(0xe6e8eb) : QColor(0x1d2126);
-}
-QColor Theme::mutedText() const {
-    return dark_ ? QColor(0x9aa3ad) : QColor(0x5c6670);
-}
-QColor Theme::grid() const {
-    return dark_ ? QColor(0x363c44) : QColor(0xe4e7eb);
-}
-QColor Theme::accent() const {
-    return dark_ ? QColor(0x4c9be8) : QColor(0x1f6fbf);
-}
-QColor Theme::error() const {
-    return dark_ ? QColor(0xff7b72) : QColor(0xc0281c);
-}
-QColor Theme::warning() const {
-    return dark_ ? QColor(0xe3b341) : QColor(0x9a6700);
-}
-QColor Theme::good() const {
-    return dark_ ? QColor(0x56d364) : QColor(0x1a7f37);
-}
-
 QColor Theme::colour(Role role) const {
     const int ink = lookOf(role).ink;
     switch (ink) {
@@ -513,25 +478,25 @@ void Theme::apply() {
     set(QPalette::Window, window());
     set(QPalette::WindowText, text());
     set(QPalette::Base, panel());
-    set(QPalette::AlternateBase, dark_ ? QColor(0x292e35) : QColor(0xf6f7f9));
+    set(QPalette::AlternateBase, of(0xf6f7f9, 0x292e35));
     set(QPalette::Text, text());
-    set(QPalette::Button, dark_ ? QColor(0x2d3239) : QColor(0xf4f5f7));
+    set(QPalette::Button, of(0xf4f5f7, 0x2d3239));
     set(QPalette::ButtonText, text());
     set(QPalette::BrightText, error());
-    set(QPalette::ToolTipBase, dark_ ? QColor(0x2d3239) : QColor(0xfffbe6));
+    set(QPalette::ToolTipBase, of(0xfffbe6, 0x2d3239));
     set(QPalette::ToolTipText, text());
     set(QPalette::PlaceholderText, mutedText());
     set(QPalette::Highlight, accent());
-    set(QPalette::HighlightedText, dark_ ? QColor(0x0d1116) : QColor(Qt::white));
+    set(QPalette::HighlightedText, of(0xffffff, 0x0d1116));
     set(QPalette::Link, accent());
     set(QPalette::LinkVisited, accent());
-    set(QPalette::Light, dark_ ? QColor(0x3a4048) : QColor(0xffffff));
-    set(QPalette::Midlight, dark_ ? QColor(0x333941) : QColor(0xe9ebee));
-    set(QPalette::Mid, dark_ ? QColor(0x2a2e34) : QColor(0xc3c8ce));
-    set(QPalette::Dark, dark_ ? QColor(0x14171a) : QColor(0xa3a9b0));
-    set(QPalette::Shadow, dark_ ? QColor(Qt::black) : QColor(0x6d747c));
+    set(QPalette::Light, of(0xffffff, 0x3a4048));
+    set(QPalette::Midlight, of(0xe9ebee, 0x333941));
+    set(QPalette::Mid, of(0xc3c8ce, 0x2a2e34));
+    set(QPalette::Dark, of(0xa3a9b0, 0x14171a));
+    set(QPalette::Shadow, of(0x6d747c, 0x000000));
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-        palette.setColor(QPalette::Disabled, role, dark_ ? QColor(0x6b737d) : QColor(0x9aa1a9));
+        palette.setColor(QPalette::Disabled, role, of(0x9aa1a9, 0x6b737d));
     }
     palette.setColor(QPalette::Disabled, QPalette::Highlight, border());
     QApplication::setPalette(palette);

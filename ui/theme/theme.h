@@ -31,19 +31,20 @@ class Theme : public QObject {
     bool isDark() const { return dark_; }
 
     // Surfaces and text.
-    QColor window() const;  ///< behind panels
-    QColor panel() const;   ///< forms, plots, pictures
-    QColor border() const;  ///< hairlines between panels
+    QColor window() const { return of(0xeef0f3, 0x1b1e23); }  ///< behind panels
+    QColor panel() const { return of(0xffffff, 0x24282e); }   ///< forms, plots, pictures
+    QColor border() const { return of(0xd3d7dd, 0x3a4048); }  ///< hairlines between panels
     /// Of what one types in, ticks or pulls: seen against panels and window by itself.
-    QColor fieldBorder(bool isEnabled = true) const;
-    QColor text() const;
-    QColor mutedText() const;  ///< units, captions
-    QColor grid() const;       ///< grid lines of plots
-    QColor accent() const;     ///< selection, the present value
-    QColor error() const;
-    QColor warning() const;
-    QColor good() const;
-
+    QColor fieldBorder(bool isEnabled = true) const {
+        return isEnabled ? of(0x757e88, 0x7d8793) : of(0xa0a7af, 0x5c646e);
+    }
+    QColor text() const { return of(0x1d2126, 0xe6e8eb); }
+    QColor mutedText() const { return of(0x5c6670, 0x9aa3ad); }  ///< units, captions
+    QColor grid() const { return of(0xe4e7eb, 0x363c44); }       ///< grid lines of plots
+    QColor accent() const { return of(0x1f6fbf, 0x4c9be8); }     ///< selection, the present value
+    QColor error() const { return of(0xc0281c, 0xff7b72); }
+    QColor warning() const { return of(0x9a6700, 0xe3b341); }
+    QColor good() const { return of(0x1a7f37, 0x56d364); }
     QColor colour(Role role) const;
     /// Ink number i of the roles: distinguishable with colour-blind eyes, light and dark.
     QColor curve(int i) const;
@@ -80,6 +81,7 @@ class Theme : public QObject {
   private:
     Theme() = default;
     void apply();
+    QColor of(QRgb light, QRgb dark) const { return QColor(dark_ ? dark : light); }
 
     Mode mode_ = Mode::System;
     bool dark_ = false;
