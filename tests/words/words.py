@@ -204,8 +204,6 @@ def main(source):
     prose = literals_of(METHODS_TEXT, source / "core/methods")
     for context in ET.parse(source / "resources/translations/ravnoves_ru.ts").getroot().iter("context"):
         name = context.findtext("name")
-        if name == "Keys":  # of case files, word by word
-            continue
         for message in context.iter("message"):
             texts += 1
             english = message.findtext("source").replace("&", "")

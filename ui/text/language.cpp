@@ -99,6 +99,7 @@ void installLanguage(const QString& code) {
         return;
     }
     install(QStringLiteral("ravnoves_") + installed(), QStringLiteral(":/i18n"));
+    install(QStringLiteral("keys_") + installed(), QStringLiteral(":/i18n"));
     // Qt's own texts (standard buttons, file dialogs).
     install(QStringLiteral("qtbase_") + installed(),
             QLibraryInfo::path(QLibraryInfo::TranslationsPath));

@@ -19,7 +19,7 @@ std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep);
 QString sweepWords(const StudyModel& study, const SweepModel& model);
 /// How the samples of a result are distributed about its limits. Null: an empty chart.
 Figure histogramFigure(const StudyModel& study, const StudyAnswer* value);
-/// What was found of the watched results; without answers the columns alone.
+/// The answers of the watched results; without any, the columns alone.
 Results foundResults(const StudyModel& study);
 /// Of the answers: how many samples were solved and are feasible, and why others were rejected.
 QStringList samplesWords(const StudyModel& study);
