@@ -659,32 +659,6 @@
     </message>
 </context>
 <context>
-    <name>QAbstractFileIconProvider</name>
-    <message>
-        <source>Folder</source>
-        <comment>All other platforms</comment>
-        <translation>Папка</translation>
-    </message>
-    <message>
-        <source>File Folder</source>
-        <comment>Match Windows Explorer</comment>
-        <translation>Папка с файлами</translation>
-    </message>
-    <message>
-        <source>Shortcut</source>
-        <comment>All other platforms</comment>
-        <translation>Ярлык</translation>
-    </message>
-    <message>
-        <source>Drive</source>
-        <translation>Диск</translation>
-    </message>
-    <message>
-        <source>Unknown</source>
-        <translation>Неизвестно</translation>
-    </message>
-</context>
-<context>
     <name>Text</name>
     <message>
         <source>is required and missing</source>
@@ -14184,13 +14158,6 @@ but at this l no α is feasible</source>
     <message>
         <source>The journal finds the jobs of an engine by its name: “Copy as new job” takes engine and plugs from them.</source>
         <translation>По названию журнал находит работы двигателя: «Копировать как новую» берёт из них двигатель и заглушки.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::Presets</name>
-    <message>
-        <source>TMZ-650D</source>
-        <translation>ТМЗ-650Д</translation>
     </message>
 </context>
 <context>

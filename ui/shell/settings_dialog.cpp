@@ -75,7 +75,7 @@ void SettingsDialog::build() {
         languages.append({language.ownName, language.code});
     }
     addChoice("language", tr("&Language"), tr("Language of texts and numbers."), languages,
-              preferences.language(),
+              wantedLanguage(),
               [](const QVariant& code) { Preferences::instance().setLanguage(code.toString()); });
 
     addChoice("theme", tr("&Theme"), tr("Light or dark colours."),

@@ -40,17 +40,9 @@ void removeAll() {
 
 const QString settingsKey = QStringLiteral("view/language");
 
-/// What Qt asks for in its file dialogs since 6.0 and its own translations do not have: the kinds
-/// of what is no file.
-[[maybe_unused]] constexpr struct {
-    const char* text;
-    const char* comment;
-} kindsInFileDialogs[] = {
-    QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "Folder", "All other platforms"),
-    QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "File Folder", "Match Windows Explorer"),
-    QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "Shortcut", "All other platforms"),
-    {QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Drive"), nullptr},
-    {QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Unknown"), nullptr}};
+QString chosenLanguage() {
+    return QSettings().value(settingsKey).toString();
+}
 
 }  // namespace
 
@@ -99,7 +91,7 @@ void installLanguage(const QString& code) {
         return;
     }
     install(QStringLiteral("ravnoves_") + installed(), QStringLiteral(":/i18n"));
-    install(QStringLiteral("keys_") + installed(), QStringLiteral(":/i18n"));
+    install(QStringLiteral("extra_") + installed(), QStringLiteral(":/i18n"));
     // Qt's own texts (standard buttons, file dialogs).
     install(QStringLiteral("qtbase_") + installed(),
             QLibraryInfo::path(QLibraryInfo::TranslationsPath));
@@ -111,10 +103,6 @@ QString currentLanguage() {
 
 QString wantedLanguage() {
     return isForced() ? installed() : chosenLanguage();
-}
-
-QString chosenLanguage() {
-    return QSettings().value(settingsKey).toString();
 }
 
 void setChosenLanguage(const QString& code) {

@@ -23,7 +23,6 @@ QString currentLanguage();
 /// The code that it was asked for, else the user's choice; empty: the desktop's.
 QString wantedLanguage();
 /// The user's choice, remembered for the next start; empty: the desktop's.
-QString chosenLanguage();
 void setChosenLanguage(const QString& code);
 
 /// When something was, as the program writes its dates: 2026-11-26 07:18, in Russian 26.11.2026

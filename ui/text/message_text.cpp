@@ -12,11 +12,6 @@ namespace ravnoves {
 
 namespace {
 
-/// Titles of presets that are verbatim in core: here they are found to be translated.
-[[maybe_unused]] constexpr const char* presetTitles[] = {
-    QT_TRANSLATE_NOOP("ravnoves::Presets", "TMZ-650D"),
-};
-
 /// "1.2e+20" as "1.2·10²⁰".
 QString withPower(const QString& number) {
     const qsizetype at = number.indexOf(QLatin1Char('e'));
@@ -74,6 +69,14 @@ QString messageText(const Message& message, const MessageWords& words) {
     }
     return QString::fromStdString(
         fill_pattern(words.text(message.pattern()).toStdString(), values));
+}
+
+QString messageLines(const std::vector<Message>& messages) {
+    QStringList lines;
+    for (const Message& message : messages) {
+        lines << messageText(message);
+    }
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString presetTitle(const Message& title) {

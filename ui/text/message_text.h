@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "case-file/field.h"
 #include "case-file/message.h"
@@ -26,6 +27,8 @@ struct MessageWords {
 };
 /// A message of core, by itself in the language of the program.
 QString messageText(const Message& message, const MessageWords& words = {});
+/// A line for each message.
+QString messageLines(const std::vector<Message>& messages);
 /// A preset's title, also one that core has as words of no language.
 QString presetTitle(const Message& title);
 /// A field's label without the & of its mnemonic: the name of its undo step.

@@ -47,10 +47,6 @@ void Preferences::setDigits(int digits) {
     Q_EMIT changed();
 }
 
-QString Preferences::language() const {
-    return wantedLanguage();
-}
-
 void Preferences::setLanguage(const QString& code) {
     Q_EMIT aboutToChange();
     setChosenLanguage(code);

@@ -41,8 +41,6 @@ class Preferences : public QObject {
     Units units(Quantity quantity) const { return units_[static_cast<std::size_t>(quantity)]; }
     void setUnits(Quantity quantity, Units units);
 
-    /// The code of the language in use; empty: the desktop's.
-    QString language() const;
     void setLanguage(const QString& code);
     /// Another change that shows only in new widgets, for example the size of the text.
     void tell() { Q_EMIT changed(); }

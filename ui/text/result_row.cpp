@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "case-file/decimal.h"
+#include "case-file/result_visitor.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -191,6 +193,15 @@ ResultCell shownCell(double si, const Unit& unit, int decimals) {
 ResultRow shownRow(const QString& name, double si, const Unit& unit, int decimals,
                    const QString& tip) {
     return {{name, shownCell(si, unit, decimals), shownUnit(unit).name}, tip};
+}
+
+ResultRow shownRow(const ResultField& field, const std::optional<double>& si) {
+    ResultRow row = shownRow(shownText(field.label), si.value_or(0.0), field.unit, field.decimals,
+                             shownText(field.hint));
+    if (!si) {
+        row[1] = QStringLiteral("–");
+    }
+    return row;
 }
 
 QString signedNumber(double value, int decimals) {

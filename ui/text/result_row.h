@@ -10,6 +10,8 @@
 
 namespace ravnoves {
 
+struct ResultField;
+
 /// A number of a result, as a table shows it.
 struct ResultNumber {
     /// Directions go round at 360°; a change says itself how far two results are apart.
@@ -101,6 +103,9 @@ ResultCell shownCell(double si, const Unit& unit, int decimals);
 /// A row of the columns name, value, unit.
 ResultRow shownRow(const QString& name, double si, const Unit& unit, int decimals,
                    const QString& tip = {});
+
+/// The same by what core says of the result; a dash where there is no number.
+ResultRow shownRow(const ResultField& field, const std::optional<double>& si);
 
 /// What scatter of the inputs makes of a cell of a table.
 struct CellSpread {

@@ -23,6 +23,7 @@
 #include "scenes/scenes.h"
 #include "shop/model/journal.h"
 #include "shop/model/scale_settings.h"
+#include "text/language.h"
 #include "text/preferences.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/older_formats.h"
@@ -303,7 +304,7 @@ TEST(FixtureSettings, AreTakenOver) {
     EXPECT_EQ(preferences.digits(), 6);
     EXPECT_EQ(preferences.units(Preferences::Length), Preferences::Units::Imperial);
     EXPECT_EQ(preferences.units(Preferences::Unbalance), Preferences::Units::OunceInch);
-    EXPECT_EQ(preferences.language(), u"ru"_s);
+    EXPECT_EQ(wantedLanguage(), u"ru"_s);
     EXPECT_EQ(CaseDocument::recentPaths(),
               (QStringList{u"/tmp/engines/v8-plugs.case.json"_s,
                            u"/tmp/engines/balance-shaft.case.json"_s}));

@@ -15,8 +15,6 @@
 #include "model/background_job.h"
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
-#include "text/field_row.h"
-#include "text/message_lines.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"

@@ -10,7 +10,6 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/result_fields.h"
 #include "numerics/constants.h"
-#include "text/field_row.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"

@@ -13,7 +13,6 @@
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
 #include "plot/model/ticks.h"
-#include "text/message_lines.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
