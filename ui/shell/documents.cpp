@@ -117,25 +117,21 @@ OpenDocument& Documents::add(std::size_t scene) {
     SceneModel* model = added.page->model();
     added.document = new CaseDocument(model, this);
     added.beginning = model->inputJson().dump();
-    connect(model, &SceneModel::historyChanged, this, [this, &added] {
-        if (&added == current_) {
-            Q_EMIT historyChanged();
-        }
-    });
-    connect(model, &SceneModel::rejectedInChanged, this, [this, &added] {
-        if (&added == current_) {
-            Q_EMIT rejectedInChanged();
-        }
-    });
-    connect(added.document, &CaseDocument::nameChanged, this, [this, &added] {
+    for (const auto signal : {&SceneModel::historyChanged, &SceneModel::rejectedInChanged}) {
+        connect(model, signal, this, [this, &added] {
+            if (&added == current_) {
+                Q_EMIT historyChanged();
+            }
+        });
+    }
+    connect(added.document, &CaseDocument::nameChanged, this, [this] {
         nameTabs();
-        if (&added == current_) {
-            Q_EMIT titleChanged();
-        }
         Q_EMIT changed();
     });
     connect(added.document, &CaseDocument::filesChanged, this, &Documents::showNotices);
-    keep(added);
+    if (recovery_ != nullptr) {
+        recovery_->watch(added.document);
+    }
     return added;
 }
 
@@ -227,7 +223,7 @@ bool Documents::showScene(const QString& scene) {
 void Documents::bringToFront(OpenDocument& document) {
     if (current_ == &document) {
         arrangeTabs();
-        Q_EMIT currentAsked();
+        Q_EMIT currentChanged();
         return;
     }
     if (current_ != nullptr) {
@@ -271,13 +267,7 @@ bool Documents::hasSeveralTabs() const {
 void Documents::keepIn(Recovery* recovery) {
     recovery_ = recovery;
     for (const auto& each : documents_) {
-        keep(*each);
-    }
-}
-
-void Documents::keep(OpenDocument& document) {
-    if (recovery_ != nullptr) {
-        recovery_->watch(document.document);
+        recovery_->watch(each->document);
     }
 }
 
@@ -313,10 +303,10 @@ bool Documents::close(OpenDocument& document) {
     }
     remove(document);
     arrangeTabs();
-    Q_EMIT changed();
     if (current_ == nullptr) {
-        Q_EMIT lastClosed();
+        Q_EMIT currentChanged();
     }
+    Q_EMIT changed();
     return true;
 }
 

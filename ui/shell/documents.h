@@ -80,8 +80,8 @@ class Documents : public QWidget {
     bool save(OpenDocument& document);
     bool saveAs(OpenDocument& document);
 
-    /// Closes the document, or the one in front: the previous one comes to the front, and without
-    /// one lastClosed() follows. Asks about unsaved changes.
+    /// Closes the document, or the one in front: the previous one comes to the front. Asks about
+    /// unsaved changes.
     /// @return false where the user cancels
     bool close(OpenDocument& document);
     bool closeCurrent() { return close(current()); }
@@ -99,19 +99,12 @@ class Documents : public QWidget {
     void renewPages();
 
   Q_SIGNALS:
-    /// Another document is in front.
+    /// Another document is in front, or none is open any more, or the one in front shall be seen.
     void currentChanged();
-    /// None is open any more.
-    void lastClosed();
-    /// The document that was in front already shall be seen.
-    void currentAsked();
-    /// The open documents, their order or names have changed.
+    /// The open documents, their order or names, or whether one needs saving.
     void changed();
-    /// Of the document in front: name() or needsSaving(); undo and redo.
-    void titleChanged();
+    /// Undo and redo of the document in front, or what is rejected in it.
     void historyChanged();
-    /// Something that is rejected is in the current one, or does not any more.
-    void rejectedInChanged();
     /// A line for the status bar; empty: what the scene is for.
     void status(const QString& text);
     void saved(const QString& path);
@@ -154,7 +147,6 @@ class Documents : public QWidget {
                      bool overwrites);
     /// Before it closes: asks about unsaved changes.
     bool mayClose(OpenDocument& document);
-    void keep(OpenDocument& document);
     void makeNotices();
     void showNotices();
     void nameTabs();

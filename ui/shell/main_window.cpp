@@ -66,19 +66,23 @@ MainWindow::MainWindow(First first) {
     hint_ = new QLabel(this);
     statusBar()->addWidget(hint_, 1);
     statusBar()->setSizeGripEnabled(false);
-    connect(documents_, &Documents::currentChanged, this,
-            [this] { isAtStart() ? leaveStart() : showCurrent(); });
-    connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
-    connect(documents_, &Documents::lastClosed, this, &MainWindow::showStart);
-    connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
-    connect(documents_, &Documents::rejectedInChanged, this, &MainWindow::updateHistoryActions);
+    connect(documents_, &Documents::currentChanged, this, [this] {
+        if (!documents_->hasCurrent()) {
+            showStart();
+        } else {
+            isAtStart() ? leaveStart() : showCurrent();
+        }
+    });
     connect(documents_, &Documents::historyChanged, this, [this] {
         updateHistoryActions();
         if (!isAtStart()) {
             showHint(documents_->currentScene().summary);  // what was said is of before
         }
     });
-    connect(documents_, &Documents::changed, this, &MainWindow::updateCaseActions);
+    connect(documents_, &Documents::changed, this, [this] {
+        updateCaseActions();
+        updateTitle();
+    });
     connect(documents_, &Documents::status, this, [this](const QString& text) {
         showHint(text.isEmpty() ? documents_->currentScene().summary : text);
         say(text);
@@ -372,7 +376,7 @@ void MainWindow::updateSceneActions() {
 }
 
 void MainWindow::updateTitle() {
-    if (isAtStart()) {
+    if (isAtStart() || !documents_->hasCurrent()) {
         setWindowTitle(QStringLiteral("Ravnoves"));
         setWindowModified(false);
         return;
