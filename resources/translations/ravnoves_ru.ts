@@ -14436,14 +14436,6 @@ but at this l no α is feasible</source>
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>yes</source>
-        <translation>да</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>нет</translation>
-    </message>
-    <message>
         <source>%1 values, %2 … %3</source>
         <translation>значений: %1, %2 … %3</translation>
     </message>

@@ -77,16 +77,20 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor, in
         const bool isAngle = entry != nullptr && entry->field.unit == units::degree;
         return shownFormNumber(isAngle ? rounded_to_decimals(shown, 2) : shown, QLocale(), digits);
     }
-    if (value->is_boolean()) {
-        return value->get<bool>() ? QCoreApplication::translate("ravnoves::SceneModel", "yes")
-                                  : QCoreApplication::translate("ravnoves::SceneModel", "no");
-    }
-    const std::string text = value->is_string() ? value->get<std::string>() : value->dump();
-    const QString choice = entry != nullptr ? choiceText(entry->field, text) : QString();
-    return choice.isEmpty() ? caseText(text) : choice;
+    return wordText(*value, entry);
 }
 
 }  // namespace
+
+QString wordText(const Json& value, const FieldEntry* entry) {
+    if (value.is_boolean()) {
+        return value.get<bool>() ? QCoreApplication::translate("ravnoves::SceneModel", "yes")
+                                 : QCoreApplication::translate("ravnoves::SceneModel", "no");
+    }
+    const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
+    const QString choice = entry != nullptr ? choiceText(entry->field, word) : QString();
+    return !choice.isEmpty() ? choice : word == "solve" ? keyInWords(word) : caseText(word);
+}
 
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference) {
     Leaves present;

@@ -10,6 +10,7 @@
 namespace ravnoves {
 
 class SceneModel;
+struct FieldEntry;
 
 /// One value of the input that a reference has otherwise.
 struct InputDifference {
@@ -23,6 +24,9 @@ struct InputDifference {
 /// Where the model's input and another of its scene differ, in the order of the case file, list
 /// elements one by one.
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference);
+
+/// A word of the input, or yes or no, as a person reads it. Null: of no field.
+QString wordText(const Json& value, const FieldEntry* entry);
 
 /// What tells the present input from the reference: its layout, or a few values: "α 60°, l 90 mm";
 /// else empty.

@@ -7,11 +7,11 @@
 
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
+#include "model/input_differences.h"
 #include "model/scene_model.h"
 #include "report/report_words.h"
 #include "text/capital.h"
 #include "text/field_names.h"
-#include "text/key_words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -90,33 +90,18 @@ class Inputs {
         if (value.is_number()) {
             return numberText(value.get<double>(), unitOf(pointer));
         }
-        if (value.is_boolean()) {
-            return value.get<bool>() ? ReportWords::tr("yes") : ReportWords::tr("no");
-        }
-        if (value.is_array()) {
-            return listText(value, unitOf(pointer));
-        }
-        const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
-        const FieldEntry* entry = names_.entryAt(pointer);
-        const QString choice = entry != nullptr ? choiceText(entry->field, word) : QString();
-        if (!choice.isEmpty()) {
-            return choice;
-        }
-        return word == "solve" ? keyInWords(word) : caseText(word);
+        return value.is_array() ? listText(value, unitOf(pointer))
+                                : wordText(value, names_.entryAt(pointer));
     }
 
     /// Few values as they are, many by their number and bounds.
     static QString listText(const Json& list, const ShownUnit& unit) {
         if (list.size() > few && isNumbers(list)) {
-            double minimum = list.front().get<double>();
-            double maximum = minimum;
-            for (const Json& each : list) {
-                minimum = std::min(minimum, each.get<double>());
-                maximum = std::max(maximum, each.get<double>());
-            }
+            const auto [minimum, maximum] = std::minmax_element(list.begin(), list.end());
             return ReportWords::tr("%1 values, %2 … %3")
                 .arg(list.size())
-                .arg(numberText(minimum, unit), numberText(maximum, unit));
+                .arg(numberText(minimum->get<double>(), unit),
+                     numberText(maximum->get<double>(), unit));
         }
         QStringList texts;
         for (const Json& each : list) {
@@ -178,10 +163,7 @@ class Inputs {
                     table.numbers << true;
                 }
                 for (const std::string& key : keys) {
-                    const QString unit = unitOf(pointer + "/" + key).name;
-                    const QString name = nameOf(pointer + "/" + key);
-                    table.headings << titleWithUnit(name, unit).toHtmlEscaped();
-                    table.numbers << true;
+                    addColumn(pointer + "/" + key, table);
                 }
             }
             for (std::size_t row = 0; row < rows; ++row) {
@@ -225,14 +207,9 @@ class Inputs {
         return paths;
     }
 
-    void addColumns(const std::vector<std::string>& paths, const std::string& row, Table& table) {
-        for (const std::string& path : paths) {
-            const std::string at = row + path;
-            const QString name = nameOf(at);
-            const QString unit = unitOf(at).name;
-            table.headings << titleWithUnit(name, unit).toHtmlEscaped();
-            table.numbers << true;
-        }
+    void addColumn(const std::string& pointer, Table& table) const {
+        table.headings << titleWithUnit(nameOf(pointer), unitOf(pointer).name).toHtmlEscaped();
+        table.numbers << true;
     }
 
     QStringList cellsOf(const Json& row, const std::vector<std::string>& paths,
@@ -291,10 +268,14 @@ class Inputs {
         table.caption = caption;
         table.headings << QStringLiteral("№");
         table.numbers << false;
-        addColumns(paths, first, table);
+        for (const std::string& path : paths) {
+            addColumn(first + path, table);
+        }
         if (!within.empty()) {
-            addColumns({within}, first, table);
-            addColumns(partPaths, firstPart, table);
+            addColumn(first + within, table);
+        }
+        for (const std::string& path : partPaths) {
+            addColumn(firstPart + path, table);
         }
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const QStringList cells =

@@ -65,15 +65,12 @@ CaseFile readInside(const QString& path) {
 }  // namespace
 
 QString listed(const NewCase& each) {
-    switch (each.kind) {
-        case NewCase::Kind::Preset:
-            return shown(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Preset: %1")).arg(each.title);
-        case NewCase::Kind::Example:
-            return shown(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Example: %1")).arg(each.title);
-        case NewCase::Kind::Empty:
-            break;
-    }
-    return each.title;
+    const auto of = [&](const char* kind) { return shown(kind).arg(each.title); };
+    return each.kind == NewCase::Kind::Preset
+               ? of(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Preset: %1"))
+           : each.kind == NewCase::Kind::Example
+               ? of(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Example: %1"))
+               : each.title;
 }
 
 std::vector<NewCase> newExamples() {
@@ -89,12 +86,12 @@ std::vector<NewCase> newExamples() {
                          known != exampleTitles.end() ? shown(known->second) : QString(),
                          [path] { return readInside(path); }});
     }
-    std::vector<NewCase> list;
-    for (const SceneSolver& solver : scene_solvers()) {
-        std::copy_if(found.begin(), found.end(), std::back_inserter(list),
-                     [&](const NewCase& each) { return each.scene == nameOf(solver); });
-    }
-    return list;
+    const auto placeOf = [](const NewCase& each) {
+        const auto solvers = scene_solvers();
+        return std::ranges::find(solvers, each.scene, nameOf) - solvers.begin();
+    };
+    std::ranges::stable_sort(found, {}, placeOf);
+    return found;
 }
 
 std::vector<NewCase> newCases() {

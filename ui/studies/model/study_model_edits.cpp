@@ -27,9 +27,17 @@ QString writtenShown(double value, double factor) {
                                    : writtenOut(factor * value, QLocale(), converted));
 }
 
-double readShown(double typed, double factor) {
+/// @return the number in the unit of its key; none with a reason, or where there is no number
+std::pair<std::optional<double>, QString> readShown(const QString& text, const ShownUnit& unit) {
     constexpr int digits = 12;
-    return factor == 1.0 ? typed : rounded_to_digits(typed / factor, digits);
+    const auto [number, trouble] = readTypedNumber(text, unit.name);
+    if (!number || !trouble.isEmpty()) {
+        return {std::nullopt, trouble};
+    }
+    if (QString either = thousandsTrouble(text, unit.name); !either.isEmpty()) {
+        return {std::nullopt, either};
+    }
+    return {unit.factor == 1.0 ? *number : rounded_to_digits(*number / unit.factor, digits), {}};
 }
 
 }  // namespace
@@ -104,17 +112,13 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
     const ShownUnit unit = varied.spread == Varied::Spread::plus_minus_percent || input == nullptr
                                ? ShownUnit()
                                : input->shown;
-    const auto [number, trouble] = readTypedNumber(rest, unit.name);
-    if (!trouble.isEmpty()) {
-        return trouble;
-    }
+    const auto [number, trouble] = readShown(rest, unit);
     if (!number || !(*number > 0.0)) {
-        return tr("“%1” is not a tolerance. Examples: 0.02, 1 %, σ 0.01.").arg(text.trimmed());
+        return !trouble.isEmpty() ? trouble
+                                  : tr("“%1” is not a tolerance. Examples: 0.02, 1 %, σ 0.01.")
+                                        .arg(text.trimmed());
     }
-    if (QString either = thousandsTrouble(rest, unit.name); !either.isEmpty()) {
-        return either;
-    }
-    varied.size = readShown(*number, unit.factor);
+    varied.size = *number;
     (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
     return {};
 }
@@ -177,17 +181,13 @@ QString StudyModel::readLimit(const std::string& pointer, const QString& text,
     if (typed == limitText(pointer, limit)) {
         return {};  // it represents all digits of the limit
     }
-    const ShownUnit shown = resultName(pointer).shown();
-    const auto [number, trouble] = readTypedNumber(typed, shown.name);
+    const auto [number, trouble] = readShown(typed, resultName(pointer).shown());
     if (!typed.isEmpty() && !number) {
         return !trouble.isEmpty()
                    ? trouble
                    : tr("%1 is not a limit: enter a number, or leave it blank.").arg(typed);
     }
-    if (const QString either = thousandsTrouble(typed, shown.name); !either.isEmpty()) {
-        return either;
-    }
-    limit = number ? std::optional(readShown(*number, shown.factor)) : std::nullopt;
+    limit = number;
     return {};
 }
 
