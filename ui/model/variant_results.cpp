@@ -20,17 +20,17 @@ struct VariantTableWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::VariantTable)
 };
 
-/// A number of a column, by what names it.
-struct Named {
+/// A row of one design or of all of them, by what names it.
+struct Row {
     QString key;  ///< by which another case has it: part, row, column, which of several
     QString name;
     QString tip;
-    ResultCell cell;
+    QVector<ResultCell> cells;
 };
 
 /// The numbers of the answer's tables.
-std::vector<Named> numbersOf(const SceneModel& model) {
-    std::vector<Named> numbers;
+std::vector<Row> numbersOf(const SceneModel& model) {
+    std::vector<Row> numbers;
     std::map<QString, int> known;
     for (const PagePart& part : model.parts()) {
         const Content content = part.isAnswer ? model.part(part.id) : Content();
@@ -60,25 +60,11 @@ std::vector<Named> numbersOf(const SceneModel& model) {
                     name = isUnit ? titleWithUnit(name, unit) : name;
                 }
                 key += QLatin1Char('/') + QString::number(known[key]++);
-                numbers.push_back({key, name, row.tip, row[column]});
+                numbers.push_back({key, name, row.tip, {row[column]}});
             }
         }
     }
     return numbers;
-}
-
-const ResultCell* cellOf(const std::vector<Named>& numbers, const QString& key) {
-    const auto found = std::find_if(numbers.begin(), numbers.end(),
-                                    [&](const Named& each) { return each.key == key; });
-    return found != numbers.end() ? &found->cell : nullptr;
-}
-
-/// The cell with its difference from the reference.
-ResultCell against(ResultCell cell, const ResultCell* reference) {
-    if (reference != nullptr) {
-        cell.fromOther = cell.from(*reference);
-    }
-    return cell;
 }
 
 /// Marks the best of the designs of a row, where one is better than another.
@@ -112,7 +98,7 @@ VariantResults variantResults(const SceneModel& model) {
         QString title;
         Json input;
         QString layout;
-        std::vector<Named> numbers;
+        std::vector<Row> numbers;
     };
     VariantResults all;
     std::vector<Column> columns;
@@ -152,79 +138,81 @@ VariantResults variantResults(const SceneModel& model) {
             all.troubles << name + QStringLiteral(": ") + changed;
         }
     }
-    const int column = model.reference() + 1;  // the case's own is the first
-    const auto reference = static_cast<std::size_t>(column);
-    const QString missing = QStringLiteral("–");
+    const int reference = model.reference() + 1;  // the case's own is the first
+    const auto count = static_cast<qsizetype>(columns.size());
+    const ResultCell missing(QStringLiteral("–"));
     Results& results = all.results;
     results.columns << VariantTableWords::tr("Result");
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        results.columns << (i == reference && columns.size() > 1
-                                ? VariantTableWords::tr("%1 (reference)").arg(columns[i].title)
-                                : columns[i].title);
+    Row layouts{{}, VariantTableWords::tr("Layout"), {}, {}};
+    bool areLayouts = false;
+    for (const Column& column : columns) {
+        const bool isReference = &column == &columns[static_cast<std::size_t>(reference)];
+        results.columns << (isReference && count > 1
+                                ? VariantTableWords::tr("%1 (reference)").arg(column.title)
+                                : column.title);
+        layouts.cells << (column.input.is_null() ? missing : ResultCell(column.layout));
+        areLayouts =
+            areLayouts || (!column.input.is_null() && column.layout != columns.front().layout);
     }
-    const bool areLayouts = std::any_of(columns.begin(), columns.end(), [&](const Column& each) {
-        return !each.input.is_null() && each.layout != columns.front().layout;
-    });
-    if (areLayouts) {
-        ResultRow row{VariantTableWords::tr("Layout")};
-        for (const Column& column : columns) {
-            row << ResultCell(column.input.is_null() ? missing : column.layout);
+    const auto shown = [&](const Row& row) {
+        ResultRow made{row.name};
+        made.tip = row.tip;
+        for (ResultCell cell : row.cells) {
+            cell.fromOther = cell.from(row.cells[reference]);
+            made << cell;
         }
-        results.rows << row;
+        return made;
+    };
+    if (areLayouts) {
+        results.rows << shown(layouts);
     }
     // The inputs that differ in any of them; of other layouts those that all of them have.
-    QList<std::pair<QString, QVector<ResultCell>>> inputs;
-    for (std::size_t i = 1; i < columns.size(); ++i) {
-        if (columns[i].input.is_null()) {
-            continue;
-        }
-        for (const InputDifference& each : inputDifferences(model, columns[i].input)) {
+    std::vector<Row> inputs;
+    for (qsizetype i = 1; i < count; ++i) {
+        const Json& input = columns[static_cast<std::size_t>(i)].input;
+        for (const InputDifference& each :
+             input.is_null() ? std::vector<InputDifference>() : inputDifferences(model, input)) {
             const QString name = titleWithUnit(each.name, each.unit);
-            auto row = std::find_if(inputs.begin(), inputs.end(),
-                                    [&](const auto& known) { return known.first == name; });
+            auto row = std::ranges::find(inputs, name, &Row::name);
             if (row == inputs.end()) {
-                inputs.append({name, QVector<ResultCell>(static_cast<qsizetype>(columns.size()),
-                                                         each.present)});
+                inputs.push_back({{},
+                                  name,
+                                  VariantTableWords::tr("An input that differs."),
+                                  QVector<ResultCell>(count, each.present)});
                 row = inputs.end() - 1;
             }
-            row->second[static_cast<qsizetype>(i)] = each.reference;
+            row->cells[i] = each.reference;
         }
     }
     ResultRows last;  // what follows from the layout comes after what it does
-    for (const auto& [name, values] : inputs) {
-        if (areLayouts && std::any_of(values.begin(), values.end(), [](const ResultCell& cell) {
+    for (Row& row : inputs) {
+        if (areLayouts && std::ranges::any_of(row.cells, [](const ResultCell& cell) {
                 return cell.text.isEmpty() || cell.number() == nullptr;
             })) {
             continue;
         }
-        ResultRow row{name};
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            row << (columns[i].input.is_null()
-                        ? ResultCell(missing)
-                        : against(values[static_cast<qsizetype>(i)],
-                                  &values[static_cast<qsizetype>(reference)]));
+        for (qsizetype i = 0; i < count; ++i) {
+            row.cells[i] =
+                columns[static_cast<std::size_t>(i)].input.is_null() ? missing : row.cells[i];
         }
-        row.tip = VariantTableWords::tr("An input that differs.");
-        (areLayouts ? last : results.rows) << row;
+        (areLayouts ? last : results.rows) << shown(row);
     }
     // The rows that any of them has, each behind the one that it follows there.
-    std::vector<Named> rows;
-    for (const Column& column : columns) {
+    std::vector<Row> rows;
+    for (qsizetype i = 0; i < count; ++i) {
         auto next = rows.begin();
-        for (const Named& number : column.numbers) {
-            auto known = std::find_if(rows.begin(), rows.end(),
-                                      [&](const Named& each) { return each.key == number.key; });
-            next = (known != rows.end() ? known : rows.insert(next, number)) + 1;
+        for (const Row& number : columns[static_cast<std::size_t>(i)].numbers) {
+            auto known = std::ranges::find(rows, number.key, &Row::key);
+            if (known == rows.end()) {
+                known = rows.insert(next, number);
+                known->cells = QVector<ResultCell>(count, missing);
+            }
+            known->cells[i] = number.cells.front();
+            next = known + 1;
         }
     }
-    for (const Named& named : rows) {
-        ResultRow row{named.name};
-        row.tip = named.tip;
-        const ResultCell* base = cellOf(columns[reference].numbers, named.key);
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const ResultCell* cell = cellOf(columns[i].numbers, named.key);
-            row << (cell != nullptr ? against(*cell, base) : ResultCell(missing));
-        }
+    for (const Row& each : rows) {
+        ResultRow row = shown(each);
         // Of other layouts many orders are nothing in all of them.
         const bool isNothing = std::ranges::all_of(row, [](const ResultCell& cell) {
             return cell.number() == nullptr || cell.number()->value == 0.0;

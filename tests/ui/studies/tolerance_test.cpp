@@ -528,6 +528,11 @@ TEST_F(Tolerances, LimitsAreWrittenAndClearedAsOneStep) {
     QTest::keyClick(view, Qt::Key_Delete);
     EXPECT_FALSE(study().watch[0].min || study().watch[1].max);
     EXPECT_EQ(history->index(), ++step);
+    tolerances->activateWindow();
+    QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(study().watch[1].max, 4.0);
+    QTest::keyClick(view, Qt::Key_Y, Qt::ControlModifier);
+    EXPECT_FALSE(study().watch[1].max);
     // A limit that lets one stand that was rejected before.
     type(tolerances->watched(), 0, WatchTable::Maximum, u"2"_s);
     type(tolerances->watched(), 0, WatchTable::Minimum, u"5"_s);
@@ -538,6 +543,10 @@ TEST_F(Tolerances, LimitsAreWrittenAndClearedAsOneStep) {
     tolerances->watched()->table()->removeRowRange(0, 2);
     EXPECT_TRUE(study().watch.empty());
     EXPECT_EQ(history->index(), step + 2);
+    scene().undo();
+    view->setCurrentIndex(view->model()->index(0, WatchTable::Name));
+    QTest::keyClick(view, Qt::Key_Delete);
+    EXPECT_EQ(study().watch.size(), 1U);
 }
 
 TEST_F(Tolerances, WhatCannotBeSolvedIsCountedByReasonsInWords) {
@@ -574,24 +583,6 @@ TEST_F(Tolerances, AGridIsOfTheCommandLine) {
         tolerances->model()->clear();
         EXPECT_TRUE(tolerances->model()->trouble().isEmpty());
     }
-}
-
-TEST_F(Tolerances, DeleteClearsALimitAloneAndKeysUndoIt) {
-    watch("/metrics/M_ups/range_Nm");
-    type(tolerances->watched(), 0, WatchTable::Maximum, u"1100"_s);
-    QTableView* view = tolerances->watched()->view();
-    view->setCurrentIndex(view->model()->index(0, WatchTable::Maximum));
-    QTest::keyClick(view, Qt::Key_Delete);
-    ASSERT_EQ(study().watch.size(), 1U);
-    EXPECT_FALSE(study().watch[0].max);
-    tolerances->activateWindow();
-    QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(study().watch[0].max, 1100.0);
-    QTest::keyClick(view, Qt::Key_Y, Qt::ControlModifier);
-    EXPECT_FALSE(study().watch[0].max);
-    view->setCurrentIndex(view->model()->index(0, WatchTable::Name));
-    QTest::keyClick(view, Qt::Key_Delete);
-    EXPECT_TRUE(study().watch.empty());
 }
 
 TEST_F(Tolerances, FollowADraggedAngle) {
