@@ -1,6 +1,5 @@
 #include "report/case_parts.h"
 
-#include <QElapsedTimer>
 #include <QSet>
 #include <QTabWidget>
 #include <algorithm>
@@ -167,15 +166,6 @@ void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& ans
     }
 }
 
-void waitFor(const ScenePage& page, const Patience& patience, qint64 longest) {
-    QElapsedTimer waited;
-    waited.start();
-    patience.wait();
-    while (page.isBusy() && waited.elapsed() < longest) {
-        patience.wait(20);
-    }
-}
-
 }  // namespace
 
 Tone toneOf(Severity severity) {
@@ -192,21 +182,22 @@ Tone toneOf(Severity severity) {
     return Tone::Text;
 }
 
-CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience) {
+CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, double share) {
+    const auto isBusy = [&page] { return page.isBusy(); };
     SceneModel& model = *page.model();
     model.needParts();
     if (SceneModel* reference = model.referenceCase().model()) {
         reference->needParts();
     }
     auto* bands = page.findChild<ToleranceBands*>(QString(), Qt::FindDirectChildrenOnly);
-    waitFor(page, patience, jobPatienceMs);
+    patience.waitWhile(isBusy, jobPatienceMs);
     if (bands != nullptr) {
         bands->findAll();
         const QObject reported;
         QObject::connect(bands->job(), &BackgroundJob::progress, &reported, [&](double part) {
-            patience.tell(ReportWords::tr("Samples of the tolerances"), part);
+            patience.tell(ReportWords::tr("Samples of the tolerances"), share * part);
         });
-        waitFor(page, patience, jobPatienceMs);
+        patience.waitWhile(isBusy, jobPatienceMs);
     }
     PageGroup answer;
     std::vector<PageGroup> groups(1);  // what is beside the tabs

@@ -32,6 +32,7 @@ paper::Tone toneOf(Severity severity);
 /// The content of a page, part by part, with its pictures. The answer is beside the tabs: its words
 /// and tables, and the picture of the mechanism. The page is unchanged: plots and tables are made
 /// for the report alone, which keeps the pictures.
-CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience);
+/// @param share  of the progress of the whole report
+CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, double share);
 
 }  // namespace ravnoves

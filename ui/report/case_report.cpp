@@ -234,8 +234,8 @@ Paper makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& ch
                                                  .arg(ReportWords::tr("Report of a calculation: %1")
                                                           .arg(model.sceneTitle())
                                                           .toHtmlEscaped());
-    const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
-    const auto [answer, groups] = caseParts(page, report, ofParts);
+    const auto [answer, groups] =
+        caseParts(page, report, patience, model.study().empty() ? 0.9 : 0.7);
     addAnswer(report, page, model, answer);
     addVariants(report, model);
     if (!model.study().empty()) {

@@ -1,9 +1,9 @@
 #include "report/patience.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTimer>
-#include <cmath>
 #include <utility>
 
 namespace ravnoves {
@@ -16,14 +16,6 @@ void Patience::tell(const QString& stage, double part) const {
     if (tell_) {
         tell_(stage, part);
     }
-}
-
-Patience Patience::of(double from, double to) const {
-    return Patience(isCancelled_, [tell = tell_, from, to](const QString& stage, double part) {
-        if (tell) {
-            tell(stage, std::lerp(from, to, part));
-        }
-    });
 }
 
 void Patience::wait(int longest) const {
@@ -39,6 +31,15 @@ void Patience::wait(int longest) const {
     }
     if (isCancelled_ && isCancelled_()) {
         throw ReportCancelled();
+    }
+}
+
+void Patience::waitWhile(const std::function<bool()>& isBusy, qint64 longest) const {
+    QElapsedTimer waited;
+    waited.start();
+    wait();
+    while (isBusy() && waited.elapsed() < longest) {
+        wait(20);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <QString>
 #include <exception>
 #include <functional>
+#include <limits>
 
 namespace ravnoves {
 
@@ -22,12 +23,12 @@ class Patience {
                       std::function<void(const QString& stage, double part)> tell = {});
 
     void tell(const QString& stage, double part) const;
-    /// For a part of all work: its progress is between these two.
-    Patience of(double from, double to) const;
-
     /// Handles pending events; without any, waits for one, ms at most.
     /// @throws ReportCancelled
     void wait(int longest = 0) const;
+    /// The same while something is busy, ms at most.
+    void waitWhile(const std::function<bool()>& isBusy,
+                   qint64 longest = std::numeric_limits<qint64>::max()) const;
 
   private:
     std::function<bool()> isCancelled_;

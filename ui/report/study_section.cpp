@@ -24,12 +24,6 @@ using namespace paper;
 
 namespace {
 
-void waitFor(const auto& model, const Patience& patience) {
-    while (model.isBusy()) {
-        patience.wait(50);
-    }
-}
-
 /// The limits of a watched result; empty without any.
 QString limitsText(const studies::Watched& watched, double factor) {
     const auto shown = [&](double limit) { return shownFormNumber(factor * limit, QLocale(), 6); };
@@ -106,7 +100,7 @@ void addSweep(Paper& report, StudyModel& study, const Patience& patience) {
     }
     SweepModel model(&study);
     model.setWatched(true);
-    waitFor(model, patience);
+    patience.waitWhile([&model] { return model.isBusy(); });
     model.setWatched(false);
     if (model.sweep() == nullptr || model.isStale()) {
         if (!model.trouble().isEmpty()) {
@@ -158,7 +152,7 @@ void addTolerances(Paper& report, SceneModel& model, const Patience& patience) {
         return;
     }
     study.setWatched(true);
-    waitFor(study, patience);
+    patience.waitWhile([&study] { return study.isBusy(); });
     const StudyAnswers* answers = study.answers();
     if (answers == nullptr) {
         report.say(study.trouble().isEmpty() ? ReportWords::tr("No results.") : study.trouble(),

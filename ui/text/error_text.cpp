@@ -18,15 +18,12 @@ void namePlacesByPointer() {
 }
 
 QString errorText(const std::exception& error) {
-    if (const auto* input = dynamic_cast<const InputError*>(&error);
-        input != nullptr && byPointer) {
-        return messageText(input->message());
-    }
-    if (const auto* rejected = dynamic_cast<const RejectedInput*>(&error)) {
-        return rejected->said();
-    }
     const auto* input = dynamic_cast<const InputError*>(&error);
-    return input == nullptr ? QString::fromUtf8(error.what()) : FieldNames().errorText(*input);
+    const auto* rejected = dynamic_cast<const RejectedInput*>(&error);
+    return input == nullptr      ? QString::fromUtf8(error.what())
+           : byPointer           ? messageText(input->message())
+           : rejected != nullptr ? rejected->said()
+                                 : FieldNames().errorText(*input);
 }
 
 QString errorText(const std::exception_ptr& thrown) {

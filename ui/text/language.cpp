@@ -11,16 +11,8 @@ namespace ravnoves {
 
 namespace {
 
-QString& installed() {
-    static QString code = QStringLiteral("en");
-    return code;
-}
-
-/// Whether it was asked for by its code, whatever the settings say.
-bool& isForced() {
-    static bool forced = false;
-    return forced;
-}
+QString installed = QStringLiteral("en");
+bool isForced = false;  ///< it was asked for by its code, whatever the settings say
 
 /// Loads a translation; the application owns it.
 void install(const QString& file, const QString& folder) {
@@ -65,7 +57,7 @@ std::vector<Language> availableLanguages() {
 
 void installLanguage(const QString& code) {
     removeAll();
-    isForced() = !code.isEmpty();
+    isForced = !code.isEmpty();
     QString wanted = code;
     if (wanted.isEmpty()) {
         wanted = chosenLanguage();
@@ -73,36 +65,36 @@ void installLanguage(const QString& code) {
     if (wanted.isEmpty()) {
         wanted = QLocale::system().name().section(QLatin1Char('_'), 0, 0);
     }
-    installed() = QStringLiteral("en");
+    installed = QStringLiteral("en");
     for (const Language& language : availableLanguages()) {
         if (language.code == wanted) {
-            installed() = wanted;
+            installed = wanted;
         }
     }
     // Numbers are written as the language's readers expect; an English interface on a desktop with
     // a decimal comma keeps the desktop's numbers.
     QLocale locale = QLocale::system();
-    if (!code.isEmpty() || locale.language() != QLocale(installed()).language()) {
-        locale = QLocale(installed());
+    if (!code.isEmpty() || locale.language() != QLocale(installed).language()) {
+        locale = QLocale(installed);
     }
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     QLocale::setDefault(locale);
-    if (installed() == QLatin1String("en")) {
+    if (installed == QLatin1String("en")) {
         return;
     }
-    install(QStringLiteral("ravnoves_") + installed(), QStringLiteral(":/i18n"));
-    install(QStringLiteral("extra_") + installed(), QStringLiteral(":/i18n"));
+    install(QStringLiteral("ravnoves_") + installed, QStringLiteral(":/i18n"));
+    install(QStringLiteral("extra_") + installed, QStringLiteral(":/i18n"));
     // Qt's own texts (standard buttons, file dialogs).
-    install(QStringLiteral("qtbase_") + installed(),
+    install(QStringLiteral("qtbase_") + installed,
             QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 
 QString currentLanguage() {
-    return installed();
+    return installed;
 }
 
 QString wantedLanguage() {
-    return isForced() ? installed() : chosenLanguage();
+    return isForced ? installed : chosenLanguage();
 }
 
 void setChosenLanguage(const QString& code) {
