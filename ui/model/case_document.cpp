@@ -56,14 +56,9 @@ std::optional<Json> namedInput(const CaseFile& file) {
             }
         }
     }
-    for (const SceneSolver& solver : scene_solvers()) {
-        if (solver.name == file.scene) {
-            for (const auto& [title, input] : solver.presets()) {
-                if (presetTitle(title).toStdString() == file.title ||
-                    title.english() == file.title) {
-                    return input;
-                }
-            }
+    for (const auto& [title, input] : scene_solver(file.scene).presets()) {
+        if (presetTitle(title).toStdString() == file.title || title.english() == file.title) {
+            return input;
         }
     }
     return std::nullopt;

@@ -113,20 +113,21 @@ void addResults(Paper& report, const std::vector<PageGroup>& groups) {
     }
 }
 
+/// The place of a formula in its source, "(3)", "Table 1", in the language of the program.
+QString shownEquation(std::string_view equation) {
+    return QString::fromUtf8(equation.data(), static_cast<qsizetype>(equation.size()))
+        .replace(QLatin1String("Table"), ReportWords::tr("Table"))
+        .replace(QLatin1String("Fig."), ReportWords::tr("Fig."));
+}
+
 void addTheory(Paper& report, const SceneModel& model) {
-    const auto scenes = scene_solvers();
-    const std::string name = model.sceneName().toStdString();
-    const auto scene = std::find_if(scenes.begin(), scenes.end(),
-                                    [&](const SceneSolver& each) { return each.name == name; });
-    if (scene == scenes.end()) {
-        return;
-    }
+    const SceneSolver& scene = scene_solver(model.sceneName().toStdString());
     report.body += heading(ReportWords::tr("Formulas"));
     Table table;
     table.headings = {ReportWords::tr("Quantity"), ReportWords::tr("Formula"),
                       ReportWords::tr("Source")};
     std::vector<std::string_view> cited;
-    for (const Formula& formula : scene->formulas(model.inputJson())) {
+    for (const Formula& formula : scene.formulas(model.inputJson())) {
         QString from = ReportWords::tr("derived, see Help (F1)");
         if (!formula.source.empty()) {
             if (std::find(cited.begin(), cited.end(), formula.source) == cited.end()) {
@@ -153,7 +154,7 @@ void addTheory(Paper& report, const SceneModel& model) {
         report.say(messageText(citation(source(key))), Tone::Muted);
     }
     report.body += heading(ReportWords::tr("What the model leaves out"));
-    for (const Text& text : scene->left_out()) {
+    for (const Text& text : scene.left_out()) {
         report.say(QStringLiteral("– ") + shownText(text));
     }
 }

@@ -345,12 +345,4 @@ Table leftOut(const SceneModel& model) {
     return table;
 }
 
-QString shownEquation(std::string_view equation) {
-    const QString text =
-        QString::fromUtf8(equation.data(), static_cast<qsizetype>(equation.size()));
-    return QString(text)
-        .replace(QLatin1String("Table"), ReportWords::tr("Table"))
-        .replace(QLatin1String("Fig."), ReportWords::tr("Fig."));
-}
-
 }  // namespace ravnoves

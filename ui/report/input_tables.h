@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "paper/paper.h"
@@ -16,8 +15,5 @@ std::vector<paper::Table> inputTables(const SceneModel& model);
 /// What the case leaves out and what represents it, each with the name that the form has for it;
 /// without rows where it leaves out nothing.
 paper::Table leftOut(const SceneModel& model);
-
-/// The place of a formula in its source, "(3)", "Table 1", in the language of the program.
-QString shownEquation(std::string_view equation);
 
 }  // namespace ravnoves
