@@ -14,9 +14,9 @@ namespace ravnoves {
 
 namespace {
 
-QString said(const char* text) {
-    return QCoreApplication::translate("ravnoves::RejectedEntries", text);
-}
+struct RejectedEntries {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::RejectedEntries)
+};
 
 QStringList rejectedOf(const QWidget* part, bool ofResultAlone, const Retold& retold) {
     while (qobject_cast<const ScenePage*>(part) == nullptr && part->parentWidget() != nullptr) {
@@ -56,9 +56,7 @@ QString rejectedWords(const QWidget* part) {
     if (rejected.isEmpty()) {
         return {};
     }
-    return said(QT_TRANSLATE_NOOP(
-               "ravnoves::RejectedEntries",
-               "These entries were not accepted; the previous values are used:")) +
+    return RejectedEntries::tr("These entries were not accepted; the previous values are used:") +
            QStringLiteral("\n\n") + rejected.join(QLatin1Char('\n'));
 }
 
@@ -69,10 +67,8 @@ bool continueWithoutRejected(QWidget* part, const QString& title) {
     }
     QMessageBox box(QMessageBox::Warning, title, words, QMessageBox::Ignore | QMessageBox::Cancel,
                     part->window());
-    box.button(QMessageBox::Ignore)
-        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RejectedEntries", "&Continue without them")));
-    box.button(QMessageBox::Cancel)
-        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RejectedEntries", "&Stay")));
+    box.button(QMessageBox::Ignore)->setText(RejectedEntries::tr("&Continue without them"));
+    box.button(QMessageBox::Cancel)->setText(RejectedEntries::tr("&Stay"));
     box.setDefaultButton(QMessageBox::Cancel);
     return box.exec() == QMessageBox::Ignore;
 }

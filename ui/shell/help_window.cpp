@@ -103,32 +103,6 @@ QString markdown(const QString& topic) {
 
 }  // namespace
 
-QStringList helpTopics() {
-    QStringList topics;
-    for (const SceneInfo& info : sceneList()) {
-        topics << info.name;
-    }
-    topics << QStringLiteral("case-files") << QStringLiteral("variants")
-           << QStringLiteral("tolerances") << QStringLiteral("keys");
-    return topics;
-}
-
-bool loadHelp(const QString& topic, QTextDocument* document) {
-    const QString text = markdown(topic);
-    document->clear();  // with its pictures, which are in the colours of the theme
-    // Else tables are laid out again at each piece inserted.
-    document->setLayoutEnabled(false);
-    document->setMarkdown(text);
-    layOut(document);
-    document->setLayoutEnabled(true);
-    return !text.isEmpty();
-}
-
-QString helpTitle(const QString& topic) {
-    static const QRegularExpression heading(QStringLiteral("^#+ *"));
-    return markdown(topic).section(QLatin1Char('\n'), 0, 0).remove(heading);
-}
-
 HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent), topic_(topic) {
     setSizeGripEnabled(true);
     resizeWithText(this, 980, 680);
@@ -207,8 +181,16 @@ void HelpWindow::renew() {
     {
         const QSignalBlocker quiet(list_);
         list_->clear();
-        for (const QString& topic : helpTopics()) {
-            auto* item = new QListWidgetItem(helpTitle(topic), list_);
+        QStringList topics;
+        for (const SceneInfo& info : sceneList()) {
+            topics << info.name;
+        }
+        topics << QStringLiteral("case-files") << QStringLiteral("variants")
+               << QStringLiteral("tolerances") << QStringLiteral("keys");
+        static const QRegularExpression signs(QStringLiteral("^#+ *"));
+        for (const QString& topic : topics) {
+            const QString heading = markdown(topic).section(QLatin1Char('\n'), 0, 0).remove(signs);
+            auto* item = new QListWidgetItem(heading, list_);
             item->setData(Qt::UserRole, topic);
         }
     }
@@ -219,12 +201,22 @@ void HelpWindow::renew() {
 void HelpWindow::showPage(const QString& topic) {
     topic_ = topic;
     found_->clear();
-    if (!loadHelp(topic, text_->document())) {
+    const QString text = markdown(topic);
+    QTextDocument* document = text_->document();
+    document->clear();  // with its pictures, which are in the colours of the theme
+    // Else tables are laid out again at each piece inserted.
+    document->setLayoutEnabled(false);
+    document->setMarkdown(text);
+    layOut(document);
+    document->setLayoutEnabled(true);
+    if (text.isEmpty()) {
         text_->setPlainText(tr("There is no help on this page yet."));
     }
     text_->moveCursor(QTextCursor::Start);
     const QSignalBlocker quiet(list_);
-    list_->setCurrentRow(static_cast<int>(helpTopics().indexOf(topic)));
+    const QAbstractItemModel* topics = list_->model();
+    list_->setCurrentIndex(
+        topics->match(topics->index(0, 0), Qt::UserRole, topic, 1, Qt::MatchExactly).value(0));
 }
 
 void HelpWindow::find(bool backwards) {

@@ -7,7 +7,6 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QTextBrowser;
-class QTextDocument;
 
 namespace ravnoves {
 
@@ -34,15 +33,5 @@ class HelpWindow : public QDialog {
     QListWidget* list_;
     QTextBrowser* text_;
 };
-
-/// The pages of the help by their names: the scenes' pages, then the others.
-QStringList helpTopics();
-
-/// Puts a page of resources/help into a document: Markdown, in the present language where there is
-/// one (TOPIC.LANG.md), else English (TOPIC.md), set with room between paragraphs.
-/// @return false without one
-bool loadHelp(const QString& topic, QTextDocument* document);
-/// Its first heading.
-QString helpTitle(const QString& topic);
 
 }  // namespace ravnoves
