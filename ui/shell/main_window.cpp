@@ -332,20 +332,16 @@ void MainWindow::updateCaseActions() {
 }
 
 void MainWindow::updateHistoryActions() {
+    const SceneModel* model = documents_->hasCurrent() ? currentPage()->model() : nullptr;
     const auto show = [this](QAction* action, bool enabled, const QString& name,
                              const QString& step) {
         action->setEnabled(enabled && !isAtStart());
         action->setText(step.isEmpty() ? name : name + QLatin1Char(' ') + step);
     };
-    if (!documents_->hasCurrent()) {
-        show(undo_, false, tr("&Undo"), {});
-        show(redo_, false, tr("&Redo"), {});
-        return;
-    }
-    const SceneModel& model = *currentPage()->model();
-    const QUndoStack& history = *model.history();
+    const QUndoStack none;
+    const QUndoStack& history = model != nullptr ? *model->history() : none;
     // What is rejected is in no history; undo takes it back.
-    const bool isRejected = model.hasRejected();
+    const bool isRejected = model != nullptr && model->hasRejected();
     show(undo_, isRejected || history.canUndo(), tr("&Undo"),
          isRejected ? QString() : history.undoText());
     show(redo_, history.canRedo(), tr("&Redo"), history.redoText());

@@ -66,22 +66,18 @@ void offerRecovered(QWidget* over, const Recovery::Found& found,
     box->setObjectName(QStringLiteral("recovery"));
     box->setTextFormat(Qt::PlainText);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    const QAbstractButton* restores = nullptr;
-    const QAbstractButton* discards = nullptr;
     if (!cases.isEmpty()) {
-        QPushButton* first =
-            box->addButton(RecoveryDialog::tr("&Restore"), QMessageBox::AcceptRole);
-        box->setDefaultButton(first);
-        restores = first;
-        discards = box->addButton(RecoveryDialog::tr("&Discard"), QMessageBox::DestructiveRole);
+        box->setDefaultButton(
+            box->addButton(RecoveryDialog::tr("&Restore"), QMessageBox::AcceptRole));
+        box->addButton(RecoveryDialog::tr("&Discard"), QMessageBox::DestructiveRole);
     }
     box->addButton(cases.isEmpty() ? RecoveryDialog::tr("&Close") : RecoveryDialog::tr("&Later"),
                    QMessageBox::RejectRole)
         ->setToolTip(cases.isEmpty() ? QString()
                                      : RecoveryDialog::tr("Ask again at the next start"));
     QObject::connect(box, &QDialog::finished, over, [=] {
-        const QAbstractButton* clicked = box->clickedButton();
-        if (clicked == restores) {
+        const auto pressed = box->buttonRole(box->clickedButton());
+        if (pressed == QMessageBox::AcceptRole) {
             QList<RecoveredCase> ordered = cases;
             std::ranges::stable_sort(ordered, {},
                                      &RecoveredCase::order);  // tabs stand as they stood
@@ -90,16 +86,18 @@ void offerRecovered(QWidget* over, const Recovery::Found& found,
                     Recovery::discard(each);
                 }
             }
-        } else if (clicked == discards &&
-                   QMessageBox::question(over, box->windowTitle(),
-                                         RecoveryDialog::tr("Delete these cases permanently? "
-                                                            "Cases that will be deleted: %1.")
-                                             .arg(cases.size()),
-                                         QMessageBox::Yes | QMessageBox::No,
-                                         QMessageBox::No) == QMessageBox::Yes) {
-            std::ranges::for_each(cases, &Recovery::discard);
-        } else if (clicked == discards) {
-            offerRecovered(over, found, restore);
+        } else if (pressed == QMessageBox::DestructiveRole) {
+            const QString words = RecoveryDialog::tr(
+                                      "Delete these cases permanently? "
+                                      "Cases that will be deleted: %1.")
+                                      .arg(cases.size());
+            if (QMessageBox::question(over, box->windowTitle(), words,
+                                      QMessageBox::Yes | QMessageBox::No,
+                                      QMessageBox::No) == QMessageBox::Yes) {
+                std::ranges::for_each(cases, &Recovery::discard);
+            } else {
+                offerRecovered(over, found, restore);
+            }
         }
     });
     box->open();

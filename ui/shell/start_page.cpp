@@ -12,6 +12,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -177,6 +178,17 @@ class StartLine : public StartButton {
     QString detail_;
 };
 
+/// A line at a place of a column; −1: its end.
+StartLine* addLine(QVBoxLayout* to, int place, const QString& icon, const QString& text,
+                   const char* name, const QString& tip, std::function<void()> pressed) {
+    auto* line = new StartLine(icon, text, to->parentWidget());
+    line->setObjectName(QLatin1String(name));
+    line->setToolTip(tip);
+    QObject::connect(line, &QAbstractButton::clicked, line, std::move(pressed));
+    to->insertWidget(place, line);
+    return line;
+}
+
 QString folderOf(const QString& path) {
     const QString folder = QFileInfo(path).absolutePath();
     const QString home = QDir::homePath();
@@ -257,27 +269,18 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
     recentBox_ = new QWidget(content);
     recent_ = column(recentBox_, tr("Files"));
-    const auto line = [this](QVBoxLayout* to, const QString& icon, const QString& text,
-                             const QString& name, auto pressed) {
-        auto* made = new StartLine(icon, text, to->parentWidget());
-        made->setObjectName(name);
-        connect(made, &QAbstractButton::clicked, this, pressed);
-        to->addWidget(made);
-        return made;
-    };
-    line(jobs_, QStringLiteral("journal"), tr("Journal…"), QStringLiteral("start-journal"),
-         [this] { Q_EMIT journalRequested(); });
-    line(recent_, QStringLiteral("open"), tr("Open a case…"), QStringLiteral("start-open"),
-         [this] { Q_EMIT openDialogRequested(); });
+    addLine(jobs_, -1, QStringLiteral("journal"), tr("Journal…"), "start-journal", {},
+            [this] { Q_EMIT journalRequested(); });
+    addLine(recent_, -1, QStringLiteral("open"), tr("Open a case…"), "start-open", {},
+            [this] { Q_EMIT openDialogRequested(); });
     recent_->addStretch();
     examplesBox_ = new QWidget(content);
     QVBoxLayout* examples = column(examplesBox_, tr("Examples"));
     for (const NewCase& each : newExamples()) {
-        auto* made = line(examples, QStringLiteral("scene-") + each.scene, each.question,
-                          QStringLiteral("start-example"),
-                          [this, each] { Q_EMIT newRequested(each.make()); });
-        made->setDetail(each.title);
-        made->setToolTip(each.question + QLatin1Char('\n') + each.title);
+        addLine(examples, -1, QStringLiteral("scene-") + each.scene, each.question, "start-example",
+                each.question + QLatin1Char('\n') + each.title,
+                [this, each] { Q_EMIT newRequested(each.make()); })
+            ->setDetail(each.title);
     }
     examples->addStretch();
     auto* journal = new QAction(this);
@@ -297,13 +300,9 @@ void StartPage::showRecent() {
     }
     QWidget* before = recent_->itemAt(fixed - 1)->widget();
     for (const QString& path : CaseDocument::recentPaths()) {
-        auto* made = new StartLine(QStringLiteral("save"), QFileInfo(path).fileName(), recentBox_);
-        made->setObjectName(QStringLiteral("start-recent"));
+        auto* made = addLine(recent_, -1, QStringLiteral("save"), QFileInfo(path).fileName(),
+                             "start-recent", path, [this, path] { Q_EMIT openRequested(path); });
         made->setDetail(folderOf(path));
-        made->setToolTip(path);
-        connect(made, &QAbstractButton::clicked, this,
-                [this, path] { Q_EMIT openRequested(path); });
-        recent_->addWidget(made);
         QWidget::setTabOrder(before, made);
         before = made;
     }
@@ -323,15 +322,12 @@ void StartPage::showJobs() {
     const Words words;
     QWidget* before = cards_->itemAt(cards_->count() - 1)->widget();
     for (const JournalJob& job : jobs) {
+        const QString text = jobText(words, job);
         auto* made =
-            new StartLine(job.isFinished ? QStringLiteral("job-done") : QStringLiteral("job-new"),
-                          jobText(words, job), jobsBox_);
-        made->setObjectName(QStringLiteral("start-job"));
-        made->setToolTip(jobText(words, job));
+            addLine(jobs_, jobs_->count() - 1,
+                    job.isFinished ? QStringLiteral("job-done") : QStringLiteral("job-new"), text,
+                    "start-job", text, [this, id = job.id] { Q_EMIT jobRequested(id); });
         made->setInk(job.isFinished ? &Theme::accent : &Theme::warning);
-        connect(made, &QAbstractButton::clicked, this,
-                [this, id = job.id] { Q_EMIT jobRequested(id); });
-        jobs_->insertWidget(jobs_->count() - 1, made);
         QWidget::setTabOrder(before, made);
         before = made;
     }
