@@ -68,10 +68,6 @@ bool isSame(const QString& known, const QString& path) {
 
 }  // namespace
 
-OpenDocument* Documents::lastOf(std::size_t scene) const {
-    return lastWhere(documents_, [scene](const OpenDocument& each) { return each.scene == scene; });
-}
-
 OpenDocument* Documents::withFile(const QString& path) const {
     return lastWhere(documents_,
                      [&](const OpenDocument& each) { return isSame(each.document->path(), path); });
@@ -84,14 +80,6 @@ OpenDocument* Documents::of(const QObject* document) const {
 
 OpenDocument* Documents::at(int tab) const {
     return of(tabs_->tabData(tab).value<QObject*>());
-}
-
-int Documents::tabOf(const OpenDocument& document) const {
-    int tab = tabs_->count() - 1;
-    while (tab >= 0 && at(tab) != &document) {
-        --tab;
-    }
-    return tab;
 }
 
 bool Documents::isUntouched(const OpenDocument& document) {
@@ -199,7 +187,8 @@ void Documents::remove(OpenDocument& document) {
 }
 
 OpenDocument& Documents::firstOf(std::size_t scene) {
-    OpenDocument* last = lastOf(scene);
+    OpenDocument* last =
+        lastWhere(documents_, [scene](const OpenDocument& each) { return each.scene == scene; });
     return last != nullptr ? *last : add(scene);
 }
 
@@ -410,7 +399,10 @@ void Documents::arrangeTabs() {
             }
         }
         for (const auto& each : documents_) {
-            int tab = tabOf(*each);
+            int tab = tabs_->count() - 1;
+            while (tab >= 0 && at(tab) != each.get()) {
+                --tab;
+            }
             if (tab < 0 && hasTab(each.get())) {
                 tab = tabs_->addTab(
                     themedIcon(QStringLiteral("scene-") + scenes_[each->scene].name), {});

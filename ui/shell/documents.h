@@ -114,9 +114,7 @@ class Documents : public QWidget {
 
   private:
     std::optional<std::size_t> indexOf(const QString& scene) const;
-    OpenDocument* lastOf(std::size_t scene) const;
     OpenDocument* at(int tab) const;
-    int tabOf(const OpenDocument& document) const;
     OpenDocument& firstOf(std::size_t scene);
     OpenDocument& add(std::size_t scene);
     void putPage(OpenDocument& document, ScenePage* page);

@@ -223,19 +223,14 @@ void ToleranceBands::begin() {
                 return;
             }
             spreads_ = spreads;
-            showSpreads();
+            for (PartView* view : PartView::below(*page_, false)) {
+                if (const PartSpread* spread = spreadOf(view->id())) {
+                    view->make();  // seen or not
+                    view->showSpread(*spread);
+                }
+            }
         };
     });
-}
-
-void ToleranceBands::showSpreads() {
-    for (PartView* view : PartView::below(*page_, false)) {
-        const auto found = spreads_.find(view->id());
-        if (found != spreads_.end()) {
-            view->make();  // seen or not
-            view->showSpread(found->second);
-        }
-    }
 }
 
 const PartSpread* ToleranceBands::spreadOf(std::string_view part) const {

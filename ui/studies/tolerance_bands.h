@@ -51,7 +51,6 @@ class ToleranceBands : public QObject {
     void beginLater();
     void begin();
     void clear(bool othersFollow);
-    void showSpreads();
     /// Whether there are tolerances to be shown.
     bool isWanted() const;
     /// The tolerances of the case as far as bands depend on them.
