@@ -94,9 +94,7 @@ QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
         if (!part.isAnswer) {
             continue;
         }
-        const auto view = std::find_if(views.begin(), views.end(),
-                                       [&](const PartView* each) { return each->id() == part.id; });
-        if (auto* table = view != views.end() ? dynamic_cast<PartTable*>(*view) : nullptr) {
+        if (auto* table = dynamic_cast<PartTable*>(partView(page, part.id))) {
             table->make();  // seen or not
             text += (table->*textOfTable)() + QLatin1Char('\n');
             continue;
@@ -124,13 +122,14 @@ QString answerCsv(const QWidget& page) {
     return answer(page, &ResultTable::asCsv, false);
 }
 
+PartView* partView(const QWidget& page, std::string_view id) {
+    const std::vector<PartView*> views = PartView::below(page, false);
+    const auto found = std::ranges::find(views, id, &PartView::id);
+    return found != views.end() ? *found : nullptr;
+}
+
 PartPlot* partPlot(const QWidget& page, std::string_view id) {
-    for (PartPlot* plot : page.findChildren<PartPlot*>()) {
-        if (plot->id() == id) {
-            return plot;
-        }
-    }
-    return nullptr;
+    return dynamic_cast<PartPlot*>(partView(page, id));
 }
 
 PartTable::PartTable(SceneModel* model, std::string_view id, const QString& name, QWidget* parent)

@@ -75,7 +75,8 @@ class PartPlot : public PlotView, public PartView {
 QString answerText(const QWidget& page);
 QString answerCsv(const QWidget& page);
 
-/// The plot of a part below a widget; null without one.
+/// What shows a part below a widget, and where that is a plot; null without one.
+PartView* partView(const QWidget& page, std::string_view id);
 PartPlot* partPlot(const QWidget& page, std::string_view id);
 
 /// A table of results.

@@ -95,16 +95,6 @@ void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, c
     group.figures += report.figure(drawingOf(plot));
 }
 
-/// What the page's widget of a part shows, as screen readers say it.
-QString nameOf(const PagePart& part, const ScenePage& page) {
-    for (const PartView* view : PartView::below(page, false)) {
-        if (view->id() == part.id) {
-            return view->widget()->accessibleName();
-        }
-    }
-    return {};
-}
-
 /// With their ±; its differences from the reference are in the table of variants.
 void addTable(const ScenePage& page, const PagePart& part, const Results& results,
               const PartSpread* spread, PageGroup& group) {
@@ -119,7 +109,9 @@ void addTable(const ScenePage& page, const PagePart& part, const Results& result
         }
     }
     Table table = tableOf(shown);
-    table.caption = nameOf(part, page);
+    if (const PartView* view = partView(page, part.id)) {
+        table.caption = view->widget()->accessibleName();
+    }
     table.isSmall = results.columns.size() > 6;
     group.tables += paper::table(table);
 }
