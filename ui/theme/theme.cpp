@@ -89,6 +89,7 @@ class ProgramStyle : public QProxyStyle {
 
     int pixelMetric(PixelMetric metric, const QStyleOption* option,
                     const QWidget* widget) const override {
+        const int usual = QProxyStyle::pixelMetric(metric, option, widget);
         switch (metric) {
             case PM_TabBarTabHSpace:
                 return 2 * (isCrowded(widget) ? Theme::gap : Theme::space);
@@ -98,29 +99,24 @@ class ProgramStyle : public QProxyStyle {
             case PM_ExclusiveIndicatorWidth:
             case PM_ExclusiveIndicatorHeight:
             case PM_ScrollBarExtent:
-                return std::max(Theme::withText(14),
-                                QProxyStyle::pixelMetric(metric, option, widget));
+                return std::max(Theme::withText(14), usual);
             case PM_CheckBoxLabelSpacing:
             case PM_RadioButtonLabelSpacing:
-                return std::max(Theme::withText(6),
-                                QProxyStyle::pixelMetric(metric, option, widget));
+                return std::max(Theme::withText(6), usual);
             case PM_ButtonIconSize:
-                return std::max(Theme::withText(16),
-                                QProxyStyle::pixelMetric(metric, option, widget));
+                return std::max(Theme::withText(16), usual);
             case PM_HeaderMargin:  // headings beside each other stay apart
-                return QProxyStyle::pixelMetric(metric, option, widget) + beyondFusion(4);
+                return usual + beyondFusion(4);
             case PM_MenuButtonIndicator:
-                return QProxyStyle::pixelMetric(metric, option, widget) + beyondFusion(12);
+                return usual + beyondFusion(12);
             case PM_SliderLength:
             case PM_SliderThickness:
             case PM_SliderControlThickness:
-                return std::max(Theme::withText(15),
-                                QProxyStyle::pixelMetric(metric, option, widget));
+                return std::max(Theme::withText(15), usual);
             default:
-                return QProxyStyle::pixelMetric(metric, option, widget);
+                return usual;
         }
     }
-
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* returned) const override {
         switch (hint) {
