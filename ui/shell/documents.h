@@ -103,7 +103,7 @@ class Documents : public QWidget {
     void currentChanged();
     /// The open documents, their order or names, or whether one needs saving.
     void changed();
-    /// Undo and redo of the document in front, or what is rejected in it.
+    /// Undo and redo of the document in front, and its rejected entries.
     void historyChanged();
     /// A line for the status bar; empty: what the scene is for.
     void status(const QString& text);

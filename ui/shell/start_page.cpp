@@ -22,6 +22,7 @@
 #include "shop/model/verdict.h"
 #include "shop/model/words.h"
 #include "text/plain_title.h"
+#include "text/text_width.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -32,14 +33,6 @@
 namespace ravnoves {
 
 namespace {
-
-QLabel* boldLabel(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    return label;
-}
 
 /// Presses as every button does: a click, Space, and Enter as well.
 class StartButton : public QAbstractButton {
@@ -61,54 +54,38 @@ class StartButton : public QAbstractButton {
     bool isMarked() const { return hasFocus() || underMouse(); }
 };
 
-/// The picture of a scene's page, in the present theme.
-class ScenePicture : public QWidget {
-  public:
-    ScenePicture(const QString& scene, QWidget* parent) : QWidget(parent), scene_(scene) {
-        setMinimumWidth(120 - 2 * Theme::margin);
-    }
-    bool hasHeightForWidth() const override { return true; }
-    int heightForWidth(int width) const override { return width * 5 / 8; }
-
-  protected:
-    void paintEvent(QPaintEvent* /*event*/) override {
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawPixmap(rect(), QPixmap(QStringLiteral(":/start/%1-%2.png")
-                                               .arg(scene_, Theme::instance().isDark()
-                                                                ? QStringLiteral("dark")
-                                                                : QStringLiteral("light"))));
-    }
-
-  private:
-    QString scene_;
-};
-
 /// A scene: a picture of its page, its name, what it is for.
 class SceneCard : public StartButton {
   public:
-    SceneCard(const SceneInfo& info, QWidget* parent) : StartButton(parent) {
+    SceneCard(const SceneInfo& info, QWidget* parent)
+        : StartButton(parent), summary_(info.summary), scene_(info.name) {
         setObjectName(QStringLiteral("start-") + info.name);
         setText(info.title);
         setAccessibleDescription(info.summary);
-        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-        QVBoxLayout* column = columnIn(this, 0, QMargins() + Theme::margin);
-        column->addWidget(new ScenePicture(info.name, this));
-        column->addSpacing(Theme::space);
-        column->addWidget(boldLabel(info.title, this));
-        column->addSpacing(Theme::gap);
-        auto* summary = new QLabel(info.summary, this);
-        colourText(summary, &Theme::mutedText);
-        column->addWidget(summary);
-        column->addStretch();
-        for (auto* each : findChildren<QWidget*>()) {
-            each->setAttribute(Qt::WA_TransparentForMouseEvents);
-        }
-        for (auto* each : findChildren<QLabel*>()) {
-            each->setWordWrap(true);
-        }
+        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+    }
+
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override {
+        const Texts texts = textsAt(width);
+        return pictureHeight(width) + Theme::space + texts.title.height() + Theme::gap +
+               texts.summary.height() + Theme::margin;
     }
     QSize sizeHint() const override { return {200, heightForWidth(200)}; }
+    /// No word is cut.
+    QSize minimumSizeHint() const override {
+        int width = 120;
+        const auto fit = [&width](const QFont& font, const QString& words) {
+            for (const QString& word : words.split(QLatin1Char(' '))) {
+                width = std::max(width, qCeil(textWidth(font, word)) + 2 * Theme::margin + 2);
+            }
+        };
+        fit(titleFont(), text());
+        fit(font(), summary_);
+        return {width, heightForWidth(std::max(width, 200))};
+    }
 
   protected:
     void paintEvent(QPaintEvent* /*event*/) override {
@@ -118,7 +95,51 @@ class SceneCard : public StartButton {
         painter.setPen(QPen(isMarked() ? theme.accent() : theme.border(), hasFocus() ? 2.0 : 1.0));
         painter.setBrush(theme.panel());
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawPixmap(QRect(Theme::margin, Theme::margin, width() - 2 * Theme::margin,
+                                 pictureHeight(width()) - Theme::margin),
+                           QPixmap(QStringLiteral(":/start/%1-%2.png")
+                                       .arg(scene_, theme.isDark() ? QStringLiteral("dark")
+                                                                   : QStringLiteral("light"))));
+        int top = pictureHeight(width()) + Theme::space;
+        painter.setPen(theme.text());
+        painter.setFont(titleFont());
+        const Texts texts = textsAt(width());
+        painter.drawText(texts.title.translated(0, top), wrap, text());
+        top += texts.title.height() + Theme::gap;
+        painter.setFont(font());
+        painter.setPen(theme.mutedText());
+        painter.drawText(texts.summary.translated(0, top), wrap, summary_);
     }
+
+  private:
+    static constexpr int wrap = Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop;
+
+    static int pictureHeight(int width) {
+        return Theme::margin + (width - 2 * Theme::margin) * 5 / 8;
+    }
+    QFont titleFont() const {
+        QFont bold = font();
+        bold.setBold(true);
+        return bold;
+    }
+    /// Where its texts go at a width, from the top of each.
+    struct Texts {
+        QRect title;
+        QRect summary;
+    };
+    Texts textsAt(int width) const {
+        return {wrapped(QFontMetrics(titleFont()), text(), width),
+                wrapped(fontMetrics(), summary_, width)};
+    }
+
+    static QRect wrapped(const QFontMetrics& metrics, const QString& text, int width) {
+        return metrics.boundingRect(QRect(Theme::margin, 0, width - 2 * Theme::margin, 10'000),
+                                    wrap, text);
+    }
+
+    QString summary_;
+    QString scene_;
 };
 
 /// A line that leads to a case: an icon, a text and a pale detail, shortened where they do not fit.
@@ -212,7 +233,11 @@ QString jobText(const Words& words, const JournalJob& job) {
 /// A heading, and the column below it.
 QVBoxLayout* column(QWidget* box, const QString& heading) {
     QVBoxLayout* layout = columnIn(box, 0);
-    layout->addWidget(boldLabel(heading, box));
+    auto* label = new QLabel(heading, box);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    layout->addWidget(label);
     layout->addSpacing(Theme::gap);
     return layout;
 }
