@@ -419,10 +419,10 @@ TEST_F(BalanceShaftPageTest, WhileAnEntryIsRedTheVerdictSaysWhoseResultsTheyAre)
     type("crank_radius_mm", QStringLiteral("-1"));
     EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
     EXPECT_EQ(verdict->height(), height) << "no field moves under the hand";
-    const QString rod = field("rod_length_mm")->text();
-    type("rod_length_mm", QStringLiteral("-1"));
+    const QString distance = field("centre_distance_mm")->text();
+    type("centre_distance_mm", QStringLiteral("-1"));
     EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous values of the red fields")));
-    type("rod_length_mm", rod);
+    type("centre_distance_mm", distance);
     EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
     type("crank_radius_mm", QStringLiteral("46"));
     EXPECT_EQ(verdict->text(), before);
