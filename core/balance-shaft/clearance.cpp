@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/shaft_places.h"
@@ -13,9 +14,43 @@
 
 namespace ravnoves::balance_shaft {
 
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// All that are given: "Minimum x 80 mm, Maximum l 70 mm".
+Message named(const PlaceLimits& limits) {
+    const std::pair<const Field&, const std::optional<double>&> all[] = {
+        {field::centre_distance_min, limits.centre_distance_min},
+        {field::centre_distance_max, limits.centre_distance_max},
+        {field::shaft_angle_from, limits.shaft_angle_from},
+        {field::shaft_angle_to, limits.shaft_angle_to},
+        {field::place_left, limits.left},
+        {field::place_right, limits.right},
+        {field::place_bottom, limits.bottom},
+        {field::place_top, limits.top}};
+    Message names;
+    for (const auto& [field, limit] : all) {
+        if (limit) {
+            const Message name(Text{"%1 %2"}, field.label,
+                               Number{from_si(field, *limit), field.unit, 6});
+            names = names.empty() ? name : joined(names, name);
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+double angle_span(const PlaceLimits& limits) {
+    const double span =
+        limits.shaft_angle_to.value_or(two_pi) - limits.shaft_angle_from.value_or(0.0);
+    return span > 0.0 ? span : two_pi - wrap_turn(-span);
+}
+
 double margin_within(const PlaceLimits& limits, double x, double y) {
     const double l = std::hypot(x, y);
-    double margin = std::numeric_limits<double>::infinity();
+    double margin = unlimited;
     const auto keep = [&](double value, const std::optional<double>& from,
                           const std::optional<double>& to) {
         margin = std::min({margin, from ? value - *from : margin, to ? *to - value : margin});
@@ -24,119 +59,37 @@ double margin_within(const PlaceLimits& limits, double x, double y) {
     keep(x, limits.left, limits.right);
     keep(y, limits.bottom, limits.top);
     if (limits.shaft_angle_from || limits.shaft_angle_to) {
-        const double from = limits.shaft_angle_from.value_or(0.0);
-        const double half = (limits.shaft_angle_to.value_or(two_pi) - from) / 2.0;
-        const double away = std::abs(std::remainder(std::atan2(x, y) - from - half, two_pi));
+        const double half = angle_span(limits) / 2.0;
+        const double middle = limits.shaft_angle_from.value_or(0.0) + half;
+        const double away = std::abs(std::remainder(std::atan2(x, y) - middle, two_pi));
         margin = std::min(margin, l * (half - away));
     }
     return margin;
 }
 
-namespace {
-
-bool leave_no_place(const PlaceLimits& limits) {
-    double size = limits.centre_distance_min.value_or(0.0);
-    for (const auto& limit :
-         {limits.centre_distance_max, limits.left, limits.right, limits.bottom, limits.top}) {
-        size = std::max(size, std::abs(limit.value_or(0.0)));
-    }
-    const double rounding = 1e-9 * size;
-    const double reach = 1e3 * (size + 1.0);
-    const Eigen::Vector2d low(limits.left.value_or(-reach), limits.bottom.value_or(-reach));
-    const Eigen::Vector2d high(limits.right.value_or(reach), limits.top.value_or(reach));
-    const double from = limits.shaft_angle_from.value_or(0.0);
-    const double span = limits.shaft_angle_to.value_or(two_pi) - from;
-    const int sectors = span < two_pi ? (span > pi ? 2 : 1) : 0;  // each is convex
-    for (int i = 0; i < std::max(sectors, 1); ++i) {
-        PlacePolygon part({(low + high) / 2.0, (high - low) / 2.0});
-        if (sectors > 0) {
-            const double start = from + i * span / sectors;
-            const double end = start + span / sectors;
-            part.cut({{std::cos(start), -std::sin(start)}, -rounding});
-            part.cut({{-std::cos(end), std::sin(end)}, -rounding});
-        }
-        const bool has_crank = low.maxCoeff() <= 0.0 && high.minCoeff() >= 0.0;
-        double nearest = has_crank ? 0.0 : std::numeric_limits<double>::infinity();
-        double farthest = -1.0;
-        for (std::size_t k = 0; k < part.size(); ++k) {
-            const Eigen::Vector2d& corner = part[k];
-            const Eigen::Vector2d side = part[(k + 1) % part.size()] - corner;
-            const double along = -corner.dot(side) / std::max(side.squaredNorm(), 1e-300);
-            nearest = std::min(nearest, (corner + std::clamp(along, 0.0, 1.0) * side).norm());
-            farthest = std::max(farthest, corner.norm());
-        }
-        if (farthest >= limits.centre_distance_min.value_or(0.0) - rounding &&
-            nearest <= limits.centre_distance_max.value_or(nearest) + rounding) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// As few of them as leave no place, which all do.
-PlaceLimits needed_to_contradict(PlaceLimits limits) {
-    const auto leave_out = [&](auto... members) {
-        PlaceLimits others = limits;
-        ((others.*members).reset(), ...);
-        if (leave_no_place(others)) {
-            limits = others;
-        }
-    };
-    leave_out(&PlaceLimits::centre_distance_min);
-    leave_out(&PlaceLimits::centre_distance_max);
-    leave_out(&PlaceLimits::shaft_angle_from, &PlaceLimits::shaft_angle_to);
-    leave_out(&PlaceLimits::left);
-    leave_out(&PlaceLimits::right);
-    leave_out(&PlaceLimits::bottom);
-    leave_out(&PlaceLimits::top);
-    return limits;
-}
-
-/// "Minimum x 80 mm, Maximum l 70 mm".
-Message named(const PlaceLimits& limits) {
-    Message names;
-    const auto add = [&](const Field& field, const std::optional<double>& limit) {
-        if (limit) {
-            const Message name(Text{"%1 %2"}, field.label,
-                               Number{from_si(field, *limit), field.unit, 6});
-            names = names.empty() ? name : joined(names, name);
-        }
-    };
-    add(field::centre_distance_min, limits.centre_distance_min);
-    add(field::centre_distance_max, limits.centre_distance_max);
-    add(field::shaft_angle_from, limits.shaft_angle_from);
-    add(field::shaft_angle_to, limits.shaft_angle_to);
-    add(field::place_left, limits.left);
-    add(field::place_right, limits.right);
-    add(field::place_bottom, limits.bottom);
-    add(field::place_top, limits.top);
-    return names;
-}
-
-/// Why no angle at a centre distance is within the limits; empty where one is.
-Message contradiction_at(double distance, PlaceLimits limits) {
-    limits.centre_distance_min.reset();
-    limits.centre_distance_max.reset();
-    if (Message at_any = contradiction(limits); !at_any.empty()) {
-        return at_any;
-    }
-    limits.centre_distance_min = limits.centre_distance_max = distance;
-    if (!leave_no_place(limits)) {
-        return {};
-    }
-    limits = needed_to_contradict(limits);
-    limits.centre_distance_min.reset();
-    limits.centre_distance_max.reset();
-    return {Text::tr("At the centre distance %1 no angle is within the limits: %2."),
-            in_mm(distance), named(limits)};
-}
-
-}  // namespace
-
 Message contradiction(const PlaceLimits& limits) {
-    return leave_no_place(limits) ? Message(Text::tr("The limits contradict each other: %1."),
-                                            named(needed_to_contradict(limits)))
-                                  : Message();
+    const double half = angle_span(limits) / 2.0;
+    const double middle = limits.shaft_angle_from.value_or(0.0) + half;
+    // How far limit and angles let a place be to a side that is at an angle.
+    const auto reach = [&](double to_side, double side) {
+        const bool is_behind = std::abs(std::remainder(side - middle, two_pi)) >= half + pi / 2.0;
+        return is_behind ? std::min(to_side, 0.0) : to_side;
+    };
+    const double left = reach(-limits.left.value_or(-unlimited), -pi / 2.0);
+    const double right = reach(limits.right.value_or(unlimited), pi / 2.0);
+    const double bottom = reach(-limits.bottom.value_or(-unlimited), pi);
+    const double top = reach(limits.top.value_or(unlimited), 0.0);
+    const double nearest =
+        std::hypot(std::max({-left, -right, 0.0}), std::max({-bottom, -top, 0.0}));
+    const double farthest = std::hypot(std::max(left, right), std::max(bottom, top));
+    const double min_l = limits.centre_distance_min.value_or(0.0);
+    const double max_l = limits.centre_distance_max.value_or(unlimited);
+    constexpr double rounding = 1e-9;
+    const bool is_possible = -left <= right && -bottom <= top && min_l <= max_l &&
+                             nearest <= max_l * (1.0 + rounding) &&
+                             farthest >= min_l * (1.0 - rounding);
+    return is_possible ? Message()
+                       : Message(Text::tr("The limits contradict each other: %1."), named(limits));
 }
 
 double distance_from_cylinder(const FrontView& view, double x, double y) {
@@ -281,7 +234,7 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
     others.centre_distance_max.reset();
     answer.stretches = clear_angles(ShaftPlaces(view, others), distance);
     if (answer.stretches.empty()) {
-        answer.reason = contradiction_at(distance, limits);
+        answer.reason = contradiction(limits);
     }
     if (answer.stretches.empty() && answer.reason.empty()) {
         answer.reason =
@@ -289,9 +242,9 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
                 ? Message(Text::tr("At every angle the shaft's swing circle (radius %1, clearance "
                                    "%2) meets the cylinder or the rod."),
                           in_mm(view.shaft_swing_radius), in_mm(view.clearance))
-                : Message(Text::tr("At the centre distance %1 no angle within the limits clears "
-                                   "cylinder and rod."),
-                          in_mm(distance));
+                : Message(Text::tr("At the centre distance %1 no angle clears cylinder and rod "
+                                   "within the limits: %2."),
+                          in_mm(distance), named(others));
     }
     return answer;
 }

@@ -28,8 +28,12 @@ ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle);
 /// How far a place of the shaft's axis may move and stay within the limits, m; negative outside.
 double margin_within(const PlaceLimits& limits, double x, double y);
 
-/// A sentence that names limits that contradict each other: no place is within all of them. Empty
-/// where some place is.
+/// Of the angles within the limits, rad: up to a whole turn. They go over 0 where the last is less
+/// than the first.
+double angle_span(const PlaceLimits& limits);
+
+/// Names the limits where no place is within all of them: none to the sides that the angles reach,
+/// or none as near or far as l must be. Empty where some place is, but for a few of angle limits.
 Message contradiction(const PlaceLimits& limits);
 
 /// The feasible angles of the shaft: every clearance is at least the view's, the gears mesh (the

@@ -263,14 +263,15 @@ inline constexpr Field shaft_angle_from{
     .range = Range::between(-360, 360),
     .label = Text::tr("α from"),
     .symbol = "α",
-    .hint = Text::tr("Minimum angle of the shaft, in the direction of rotation."),
+    .hint = Text::tr("First angle of the shaft, in the direction of rotation."),
     .if_empty = Text::tr("0 if the other end is given"),
     .placeholder = Text::tr("any")};
 inline constexpr Field shaft_angle_to{.key = "shaft_angle_to_deg",
                                       .range = Range::between(-360, 720),
                                       .label = Text::tr("α to"),
                                       .symbol = "α",
-                                      .hint = Text::tr("Maximum angle of the shaft."),
+                                      .hint = Text::tr("Last angle of the shaft; across 0° it is "
+                                                       "less than the first."),
                                       .if_empty = Text::tr("360° if the other end is given"),
                                       .placeholder = Text::tr("any")};
 inline constexpr Field place_left{

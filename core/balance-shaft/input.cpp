@@ -153,43 +153,6 @@ void check_torque(const Input& input) {
     }
 }
 
-void check_limits(const PlaceLimits& limits) {
-    const std::string parent = pointer(field::place_limits);
-    const struct {
-        const Field& low;
-        std::optional<double> from;
-        const Field& high;
-        std::optional<double> to;
-    } pairs[] = {
-        {field::centre_distance_min, limits.centre_distance_min, field::centre_distance_max,
-         limits.centre_distance_max},
-        {field::shaft_angle_from, limits.shaft_angle_from.value_or(0.0), field::shaft_angle_to,
-         limits.shaft_angle_to.value_or(two_pi)},
-        {field::place_left, limits.left, field::place_right, limits.right},
-        {field::place_bottom, limits.bottom, field::place_top, limits.top},
-    };
-    for (const auto& pair : pairs) {
-        if (pair.from && pair.to && !(*pair.from < *pair.to)) {
-            const bool is_given = &pair.low != &field::shaft_angle_from || limits.shaft_angle_to;
-            const Field& wrong = is_given ? pair.high : pair.low;
-            if (&pair.high == &field::shaft_angle_to && is_given) {
-                // Angles from 350 to 20 are meant across 0.
-                throw InputError(pointer(wrong, parent),
-                                 {Text::tr("must be greater than %1; across 0° enter %2"),
-                                  Number{from_si(pair.low, *pair.from), wrong.unit, 6},
-                                  Number{from_si(pair.high, *pair.to + two_pi), wrong.unit, 6}},
-                                 shown(wrong, *pair.to));
-            }
-            throw InputError(
-                pointer(wrong, parent),
-                {is_given ? Text::tr("must be greater than %1") : Text::tr("must be less than %1"),
-                 Number{from_si(is_given ? pair.low : pair.high, is_given ? *pair.from : *pair.to),
-                        wrong.unit, 6}},
-                shown(wrong, is_given ? *pair.to : *pair.from));
-        }
-    }
-}
-
 }  // namespace
 
 double Input::reciprocating_mass() const {
@@ -253,7 +216,6 @@ void check_joined(const Input& input) {
                           field::teeth.range.min, field::teeth.range.max},
                          Number{1.0 * gears.shifted_teeth});
     }
-    check_limits(input.place_limits);
     if (input.speed_band) {
         check_speed_band(*input.speed_band);
     }

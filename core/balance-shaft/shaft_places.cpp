@@ -229,7 +229,7 @@ void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
 
     if (limits_.shaft_angle_from || limits_.shaft_angle_to) {
         const double from = limits_.shaft_angle_from.value_or(0.0);
-        const double span = limits_.shaft_angle_to.value_or(two_pi) - from;
+        const double span = angle_span(limits_);
         if (span < two_pi) {
             const std::array<HalfPlane, 2> edges{
                 HalfPlane{{std::cos(from), -std::sin(from)}, -rounding_},
@@ -316,11 +316,10 @@ bool ShaftPlaces::make_feasible(Eigen::Vector2d& place) const {
                 place.x() = std::clamp(place.x(), box[0], std::max(box[0], box[2]));
                 place.y() = std::clamp(place.y(), box[1], std::max(box[1], box[3]));
                 const double from = limits_.shaft_angle_from.value_or(0.0);
-                const double to = limits_.shaft_angle_to.value_or(two_pi);
-                if (margin_within(limits_, place.x(), place.y()) < -rounding_ &&
-                    to - from < two_pi) {
+                const double span = angle_span(limits_);
+                if (margin_within(limits_, place.x(), place.y()) < -rounding_ && span < two_pi) {
                     const Eigen::Vector2d first(std::sin(from), std::cos(from));
-                    const Eigen::Vector2d last(std::sin(to), std::cos(to));
+                    const Eigen::Vector2d last(std::sin(from + span), std::cos(from + span));
                     const Eigen::Vector2d& edge = first.dot(place) > last.dot(place) ? first : last;
                     place = edge * std::max(edge.dot(place), 0.0);
                 }

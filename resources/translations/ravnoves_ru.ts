@@ -2605,8 +2605,8 @@
         <translation>При любом угле окружность вала (радиус %1, зазор %2) задевает цилиндр или шатун.</translation>
     </message>
     <message>
-        <source>At the centre distance %1 no angle within the limits clears cylinder and rod.</source>
-        <translation>При межосевом расстоянии %1 в заданных пределах нет угла, при котором вал не задевает цилиндр и шатун.</translation>
+        <source>At the centre distance %1 no angle clears cylinder and rod within the limits: %2.</source>
+        <translation>При межосевом расстоянии %1 нет угла, при котором вал не задевает цилиндр и шатун в пределах: %2.</translation>
     </message>
     <message>
         <source>must be at least %1, the value of the cycle without heat</source>
@@ -2689,16 +2689,16 @@
         <translation>Максимальное расстояние между осью кривошипа и осью вала.</translation>
     </message>
     <message>
-        <source>Minimum angle of the shaft, in the direction of rotation.</source>
-        <translation>Минимальный угол вала, по направлению вращения.</translation>
+        <source>First angle of the shaft, in the direction of rotation.</source>
+        <translation>Первый угол вала, по направлению вращения.</translation>
     </message>
     <message>
         <source>0 if the other end is given</source>
         <translation>0, если задан другой конец</translation>
     </message>
     <message>
-        <source>Maximum angle of the shaft.</source>
-        <translation>Максимальный угол вала.</translation>
+        <source>Last angle of the shaft; across 0° it is less than the first.</source>
+        <translation>Последний угол вала; через 0° он меньше первого.</translation>
     </message>
     <message>
         <source>360° if the other end is given</source>
@@ -2891,10 +2891,6 @@
     <message>
         <source>must have either %1 or %2</source>
         <translation>должно содержать либо %1, либо %2</translation>
-    </message>
-    <message>
-        <source>must be greater than %1; across 0° enter %2</source>
-        <translation>должно быть больше %1; через 0° введите %2</translation>
     </message>
     <message>
         <source>%1 has changed since this case was made: import it again to accept the change, or restore the old file.</source>
@@ -10003,10 +9999,6 @@
     <message>
         <source>The limits contradict each other: %1.</source>
         <translation>Пределы противоречат друг другу: %1.</translation>
-    </message>
-    <message>
-        <source>At the centre distance %1 no angle is within the limits: %2.</source>
-        <translation>При межосевом расстоянии %1 ни один угол не укладывается в пределы: %2.</translation>
     </message>
 </context>
 <context>

@@ -196,6 +196,7 @@ std::vector<Input> restricted() {
          .centre_distance_max = 0.150,
          .shaft_angle_from = 100.0 * degree,
          .shaft_angle_to = 160.0 * degree},
+        {.centre_distance_min = 0.120, .centre_distance_max = 0.120},
         // The sector goes over 0 and is wider than half a turn.
         {.shaft_angle_from = -130.0 * degree, .shaft_angle_to = 75.0 * degree}};
     for (const PlaceLimits& limits : all) {

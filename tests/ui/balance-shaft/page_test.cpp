@@ -65,47 +65,57 @@ TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
 /// Another field mends what was rejected: the words say so, and once that is given the text is
 /// tried again as a step of its own.
 TEST_F(BalanceShaftPageTest, ARejectedTextIsTriedAgainWhenItsCauseIsGone) {
-    NumberField* from = field("shaft_angle_from_deg");
-    NumberField* to = field("shaft_angle_to_deg");
-    type("shaft_angle_from_deg", QStringLiteral("200"));
-    type("shaft_angle_to_deg", QStringLiteral("100"));
-    const QString why = to->trouble();
+    NumberField* crank = field("crank_radius_mm");
+    NumberField* rod = field("rod_length_mm");
+    type("rod_length_mm", QStringLiteral("45"));
+    const QString why = rod->trouble();
     EXPECT_TRUE(why.contains(QStringLiteral("greater than"))) << why.toStdString();
-    QTest::keyClick(to, Qt::Key_Return);
-    EXPECT_EQ(to->trouble(), why);
+    QTest::keyClick(rod, Qt::Key_Return);
+    EXPECT_EQ(rod->trouble(), why);
     type("centre_distance_mm", QStringLiteral("101"));  // no cause of it
     QApplication::processEvents();
-    EXPECT_EQ(to->trouble(), why);
+    EXPECT_EQ(rod->trouble(), why);
     const int steps = model->history()->count();
-    from->selectAll();
-    QTest::keyClicks(from, QStringLiteral("50"));
+    crank->selectAll();
+    QTest::keyClicks(crank, QStringLiteral("30"));
     QApplication::processEvents();
     EXPECT_TRUE(
-        to->trouble().startsWith(QStringLiteral("Not accepted before other values changed")));
-    QTest::keyClick(from, Qt::Key_Return);
+        rod->trouble().startsWith(QStringLiteral("Not accepted before other values changed")));
+    QTest::keyClick(crank, Qt::Key_Return);
     QApplication::processEvents();
-    EXPECT_TRUE(to->trouble().isEmpty());
-    EXPECT_EQ(to->value(), 100.0);
+    EXPECT_TRUE(rod->trouble().isEmpty());
+    EXPECT_EQ(rod->value(), 45.0);
     EXPECT_EQ(model->history()->count(), steps + 2);
     model->undo();
-    EXPECT_NE(to->value(), 100.0);
-    EXPECT_EQ(from->value(), 50.0);
+    EXPECT_NE(rod->value(), 45.0);
+    EXPECT_EQ(crank->value(), 30.0);
     QApplication::processEvents();
-    EXPECT_NE(to->value(), 100.0);  // undone is given up
+    EXPECT_NE(rod->value(), 45.0);  // undone is given up
 }
 
 TEST_F(BalanceShaftPageTest, WhatEscapeGaveUpIsForgotten) {
     QSignalSpy said(&page, &ScenePage::status);
-    type("shaft_angle_from_deg", QStringLiteral("200"));
-    NumberField* to = field("shaft_angle_to_deg");
-    type("shaft_angle_to_deg", QStringLiteral("100"));
+    NumberField* rod = field("rod_length_mm");
+    type("rod_length_mm", QStringLiteral("45"));
     ASSERT_FALSE(said.last().at(0).toString().isEmpty());
-    QTest::keyClick(to, Qt::Key_Escape);
+    QTest::keyClick(rod, Qt::Key_Escape);
     EXPECT_TRUE(said.last().at(0).toString().isEmpty());
-    type("shaft_angle_from_deg", QStringLiteral("50"));
+    type("crank_radius_mm", QStringLiteral("30"));
     QApplication::processEvents();
-    EXPECT_NE(to->value(), 100.0);  // nor is it tried again
-    EXPECT_TRUE(to->trouble().isEmpty());
+    EXPECT_NE(rod->value(), 45.0);  // nor is it tried again
+    EXPECT_TRUE(rod->trouble().isEmpty());
+}
+
+/// Each end of the angles counts as typed: none is judged by what the other was.
+TEST_F(BalanceShaftPageTest, AnglesOfTheLimitsMayGoOverZero) {
+    type("shaft_angle_from_deg", QStringLiteral("200"));
+    type("shaft_angle_to_deg", QStringLiteral("250"));
+    type("shaft_angle_from_deg", QStringLiteral("350"));
+    type("shaft_angle_to_deg", QStringLiteral("10"));
+    for (const char* end : {"shaft_angle_from_deg", "shaft_angle_to_deg"}) {
+        EXPECT_TRUE(field(end)->trouble().isEmpty()) << field(end)->trouble().toStdString();
+    }
+    EXPECT_NEAR(balance_shaft::angle_span(model->input().place_limits), 20.0 * degree, 1e-12);
 }
 
 TEST_F(BalanceShaftPageTest, WhatLooksLikeASlipStandsInAmberAboveTheResults) {
