@@ -68,7 +68,7 @@ std::vector<Bin> bins_of(const PressureTrace& trace) {
     return bins;
 }
 
-enum Parameter { Level, Exponent, Slope, Loss, Zero, parameters };
+constexpr int parameters = 5;  ///< k, n, b, c, p₀
 using Vector = Eigen::Matrix<double, parameters, 1>;
 using Matrix = Eigen::Matrix<double, parameters, parameters>;
 
@@ -79,19 +79,17 @@ struct Prior {
 
 class CompressionLine {
   public:
-    CompressionLine(const SliderCrank<double>& crank, std::vector<Bin> bins, Prior log_ratio)
+    CompressionLine(const SliderCrank<double>& crank, std::vector<Bin> bins)
         : crank_(crank),
           top_(crank.top_dead_centre()),
           longest_(crank.at(top_).s),
           stroke_(crank.stroke()),
-          bins_(std::move(bins)),
-          log_ratio_(log_ratio) {}
+          bins_(std::move(bins)) {}
 
     struct Fit {
         double centre_deg = 0.0;
         double spread_deg = 0.0;  ///< one standard deviation
-        double loss_deg = 0.0;
-        double cost = 0.0;  ///< χ², with the priors'
+        double cost = 0.0;        ///< χ², with the priors'
         std::size_t rows = 0;
     };
 
@@ -131,8 +129,6 @@ class CompressionLine {
             (cost_at(centre + step) + cost_at(centre - step) - 2.0 * cost) / (step * step);
         constexpr double unknown = 90.0;
         fit.spread_deg = curvature > 0.0 ? std::sqrt(2.0 / curvature) : unknown;
-        cost_at(centre);
-        fit.loss_deg = solution_(Loss);
         return fit;
     }
 
@@ -145,11 +141,11 @@ class CompressionLine {
             stroke_part_.push_back((longest_ - crank_.at(theta).s) / stroke_);
         }
         constexpr int bits = 12;
-        const auto [ratio, cost] = boost::math::tools::brent_find_minima(
-            [&](double log_ratio) { return cost_of(log_ratio); },
-            log_ratio_.mean - 3.0 * log_ratio_.spread, log_ratio_.mean + 3.0 * log_ratio_.spread,
-            bits);
-        return cost_of(ratio);
+        return boost::math::tools::brent_find_minima(
+                   [&](double log_ratio) { return cost_of(log_ratio); },
+                   log_ratio_.mean - 3.0 * log_ratio_.spread,
+                   log_ratio_.mean + 3.0 * log_ratio_.spread, bits)
+            .second;
     }
 
     double cost_of(double log_ratio) {
@@ -190,8 +186,7 @@ class CompressionLine {
             right(k) += weight * prior.mean;
             squares += weight * prior.mean * prior.mean;
         }
-        solution_ = normal.ldlt().solve(right);
-        const double cost = squares - right.dot(solution_);
+        const double cost = squares - right.dot(normal.ldlt().solve(right));
         const double ratio = (log_ratio - log_ratio_.mean) / log_ratio_.spread;
         return cost + ratio * ratio;
     }
@@ -222,10 +217,9 @@ class CompressionLine {
     double longest_;
     double stroke_;
     std::vector<Bin> bins_;
-    Prior log_ratio_;
+    Prior log_ratio_{std::log(13.0), 0.35};
     std::vector<Bin> used_;
     std::vector<double> stroke_part_;
-    Vector solution_ = Vector::Zero();
 };
 
 }  // namespace
@@ -247,8 +241,7 @@ Message DeadCentre::describe() const {
 }
 
 std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
-                                           const PressureTrace& trace,
-                                           std::optional<double> compression_ratio) {
+                                           const PressureTrace& trace) {
     constexpr std::size_t fewest_rows = 90;
     if (trace.pressure.size() < fewest_rows) {
         return std::nullopt;
@@ -282,11 +275,8 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     if (!is_positive || bins.size() < fewest_bins || !(peak > min_rise * bins.front().pressure)) {
         return std::nullopt;
     }
-    const Prior log_ratio =
-        compression_ratio ? Prior{std::log(*compression_ratio), 0.02} : Prior{std::log(13.0), 0.35};
-    CompressionLine line(crank, std::move(bins), log_ratio);
+    CompressionLine line(crank, std::move(bins));
 
-    // Later, where the intake shuts late.
     constexpr double first_end = 50.0;
     constexpr double usual_lateness = 8.0;  // of the peak
     constexpr double latest = 78.0;
@@ -294,15 +284,14 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     if (line.rows(peak_deg - latest, peak_deg - first_end) < fewest_of_line) {
         return std::nullopt;
     }
-    double from = peak_deg - line_begin;
-    CompressionLine::Fit fit =
-        line.fit(from, peak_deg - first_end, peak_deg - usual_lateness, 20.0);
-    for (const double later : {90.0, latest}) {
+    double from = 0.0;
+    CompressionLine::Fit fit;
+    for (const double begin : {line_begin, 90.0, latest}) {  // later, where the intake shuts late
+        from = peak_deg - begin;
+        fit = line.fit(from, peak_deg - first_end, peak_deg - usual_lateness, 20.0);
         if (fit.cost < 2.0 * static_cast<double>(fit.rows)) {
             break;
         }
-        from = peak_deg - later;
-        fit = line.fit(from, peak_deg - first_end, peak_deg - usual_lateness, 20.0);
     }
 
     // On, as long as what is added fits: χ² grows by one a row.
@@ -336,10 +325,8 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     fit = ends.back().fit;
 
     DeadCentre centre;
-    centre.is_motored = is_motored;
     constexpr double model_spread = 0.1;  // °
     centre.uncertainty = 2.0 * std::hypot(fit.spread_deg, model_spread) * degree;
-    centre.loss_angle = fit.loss_deg * degree;
     const double firing = strokes_of(trace.crank_angle_deg) == 4 ? turn_deg : 0.0;
     centre.shift = std::remainder(firing - fit.centre_deg, period) * degree;
     centre.angle = firing * degree - centre.shift;

@@ -15,8 +15,6 @@ struct DeadCentre {
     double angle = 0.0;        ///< in the trace's own angles, rad
     double shift = 0.0;        ///< to be added to them (TorqueSource::trace_shift), rad
     double uncertainty = 0.0;  ///< two standard deviations, rad
-    double loss_angle = 0.0;   ///< of the peak without combustion before the dead centre, rad
-    bool is_motored = false;   ///< no combustion was found
 
     bool is_certain() const { return uncertainty < 1.0 * degree; }
     /// The shift to make: whole turns, 0 too, where the rest is within the uncertainty.
@@ -40,11 +38,9 @@ struct DeadCentre {
 /// Source of the heat transfer's form: Woschni's correlation; of the criterion: a compression
 /// without combustion is the same polytrope all along, only at the right phase.
 /// @param trace  of one cycle, absolute pressures
-/// @param compression_ratio  where it is known
 /// @return empty without a compression, or with too few rows
 std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
-                                           const PressureTrace& trace,
-                                           std::optional<double> compression_ratio = std::nullopt);
+                                           const PressureTrace& trace);
 
 /// The same for the trace of the torque; empty without one.
 std::optional<DeadCentre> find_dead_centre(const Input& input);

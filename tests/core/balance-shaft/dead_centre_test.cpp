@@ -31,9 +31,8 @@ double error_of_centre(const DeadCentre& found, double first_deg, int strokes) {
 // The compression ratio is not known; with heat lost to the walls, any start of the angles.
 TEST(DeadCentre, IsFoundToHalfADegree) {
     for (const SyntheticEngine& engine : test::synthetic_engines()) {
-        // Combustion of a petrol engine leaves less of the line: known, the ratio makes up for it.
+        // Combustion of a petrol engine leaves less of the line.
         const bool is_petrol = engine.heat > 0.0 && engine.ratio < 12.0;
-        const auto ratio = is_petrol ? std::optional(engine.ratio) : std::nullopt;
         for (const double step : {0.1, 1.0}) {
             const auto pressure = engine.pressure(step);
             for (const double first : {-360.0, 180.0, 298.37}) {
@@ -41,18 +40,10 @@ TEST(DeadCentre, IsFoundToHalfADegree) {
                              std::to_string(first));
                 const auto seed = static_cast<unsigned>(step * 10.0 + first + 400.0);
                 const auto trace = noisy_trace(pressure, step, first, 2e3, seed);
-                const auto found = find_dead_centre(engine.crank, trace, ratio);
+                const auto found = find_dead_centre(engine.crank, trace);
                 ASSERT_TRUE(found);
-                const double error = error_of_centre(*found, first, engine.strokes);
-                const bool is_early = is_petrol && engine.start < -15.0;
-                EXPECT_LT(std::abs(error), is_early ? 0.8 : 0.5);
-                EXPECT_LT(std::abs(error), found->uncertainty / degree);
-                EXPECT_EQ(found->is_motored, engine.heat == 0.0);
-                // No case says the ratio of a measured trace.
-                const auto alone = find_dead_centre(engine.crank, trace);
-                ASSERT_TRUE(alone);
-                EXPECT_LT(std::abs(error_of_centre(*alone, first, engine.strokes)),
-                          std::min(is_petrol ? 1.5 : 0.5, alone->uncertainty / degree));
+                EXPECT_LT(std::abs(error_of_centre(*found, first, engine.strokes)),
+                          std::min(is_petrol ? 1.5 : 0.5, found->uncertainty / degree));
                 const double firing = engine.strokes == 4 ? 360.0 : 0.0;
                 EXPECT_NEAR(std::remainder((found->angle + found->shift) / degree - firing,
                                            180.0 * engine.strokes),
@@ -63,7 +54,7 @@ TEST(DeadCentre, IsFoundToHalfADegree) {
 }
 
 // The peak of a motored engine comes before its dead centre by the heat that is lost.
-TEST(DeadCentre, KnowsTheLossAngle) {
+TEST(DeadCentre, IsLaterThanThePeakOfAMotoredEngine) {
     SyntheticEngine engine = test::synthetic_engines()[7];
     ASSERT_EQ(std::string(engine.name), "motored diesel, cold");
     const auto trace = test::trace_of(engine.pressure(0.1), 0.1, -360.0);
@@ -73,7 +64,6 @@ TEST(DeadCentre, KnowsTheLossAngle) {
     EXPECT_LT(peak, -0.5);
     const auto found = find_dead_centre(engine.crank, trace);
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->loss_angle / degree, -peak, 0.4);
     EXPECT_LT(std::abs(error_of_centre(*found, -360.0, 4)), 0.3);
     EXPECT_TRUE(found->is_certain());
 }
@@ -84,12 +74,9 @@ TEST(DeadCentre, SaysHowSureItIs) {
     const auto pressure = engine.pressure(0.5);
     const auto sure = find_dead_centre(engine.crank, noisy_trace(pressure, 0.5, 0.0, 1e3, 5));
     const auto noisy = find_dead_centre(engine.crank, noisy_trace(pressure, 0.5, 0.0, 2e4, 5));
-    const auto known =
-        find_dead_centre(engine.crank, noisy_trace(pressure, 0.5, 0.0, 1e3, 5), 10.0);
-    ASSERT_TRUE(sure && noisy && known);
+    ASSERT_TRUE(sure && noisy);
     EXPECT_GT(noisy->uncertainty, 1.5 * sure->uncertainty);
-    EXPECT_LT(known->uncertainty, sure->uncertainty);
-    for (const auto& found : {sure, noisy, known}) {
+    for (const auto& found : {sure, noisy}) {
         EXPECT_LT(std::abs(error_of_centre(*found, 0.0, 4)), found->uncertainty / degree);
     }
     EXPECT_NE(noisy->describe().english().find("may be at"), std::string::npos);
