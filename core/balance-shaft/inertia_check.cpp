@@ -56,8 +56,29 @@ struct Fit {
     double badness() const { return residual / scale; }
 };
 
-/// Rows between begin + 15° and begin + 165° with the weights of the trapezoidal rule, so that
-/// rows put in on a line change little.
+/// Without the rows on the line between their neighbours: a table tells the same however finely its
+/// lines are sampled.
+TorqueTable corners_of(const TorqueTable& table) {
+    double largest = 0.0;
+    for (const double torque : table.torque) {
+        largest = std::max(largest, std::abs(torque));
+    }
+    const std::vector<double>& angle = table.crank_angle_deg;
+    TorqueTable corners;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const bool is_end = i == 0 || i + 1 == table.size();
+        const double part =
+            is_end ? 0.0 : (angle[i] - angle[i - 1]) / (angle[i + 1] - angle[i - 1]);
+        if (is_end || std::abs(std::lerp(table.torque[i - 1], table.torque[i + 1], part) -
+                               table.torque[i]) > 1e-9 * largest) {
+            corners.crank_angle_deg.push_back(angle[i]);
+            corners.torque.push_back(table.torque[i]);
+        }
+    }
+    return corners;
+}
+
+/// Rows between begin + 15° and begin + 165° with the weights of the trapezoidal rule.
 std::vector<Row> rows_of_stroke(const TorqueTable& table, double begin_deg) {
     std::vector<Row> rows;
     const std::size_t count = table.size() - 1;
@@ -157,7 +178,7 @@ InertiaCheck check_inertia(const Input& input) {
             "necessary.");
         return check;
     }
-    const TorqueTable& table = input.torque.table;
+    const TorqueTable table = corners_of(input.torque.table);
     const std::optional<double> lambda =
         input.cylinder.rod_length ? std::optional(input.crank_radius / *input.cylinder.rod_length)
                                   : std::nullopt;

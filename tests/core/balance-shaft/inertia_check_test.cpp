@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/presets.h"
 #include "test_cases.h"
 
@@ -32,6 +33,22 @@ TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
     EXPECT_NEAR(check.matching_speed / units::rpm, 2600.0, 10.0);
     EXPECT_NEAR(check.matching_mass, 0.682, 0.001);
     EXPECT_EQ(result.notes.front(), check.text);
+}
+
+// Rows that are put in on the lines of a table tell nothing: they moved the speed by 24 min⁻¹.
+TEST(InertiaCheck, IsTheSameHoweverFinelyTheLinesAreSampled) {
+    const Input input = preset_tmz_650d();
+    const PeriodicPiecewise lines = torque_curve(input.torque.table, Interpolation::linear);
+    for (const int steps : {3, 15, 150}) {
+        TorqueTable fine;
+        for (int i = 0; i <= 48 * steps; ++i) {
+            fine.crank_angle_deg.push_back(15.0 * i / steps);
+            fine.torque.push_back(lines(fine.crank_angle_deg.back()));
+        }
+        const InertiaCheck check = check_inertia(with_table(input, fine));
+        EXPECT_NEAR(check.matching_speed / units::rpm, 2590.3, 0.1) << steps;
+        EXPECT_EQ(check.warning, check_inertia(input).warning);
+    }
 }
 
 TEST(InertiaCheck, TheMatchingSpeedMakesTheShaftUseful) {
