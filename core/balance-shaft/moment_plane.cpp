@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "numerics/angle.h"
-#include "numerics/extrema.h"
 #include "numerics/vector_lanes.h"
 
 namespace ravnoves::balance_shaft {
@@ -197,56 +196,73 @@ void MomentPlane::search_branch(const Side& side, std::size_t interval, std::siz
     if (std::max(left, branch.last + sine_last) + branch.above + bow + at.slack < best.value) {
         return;
     }
-    const double width = width_[interval];
     const double slope = at.b * cos_[j] - at.a * sin_[j];
-    const double rise = cubic.c1 + slope;
-    const double rise_last = cubic.slope(width) + at.b * cos_[next] - at.a * sin_[next];
-    const auto offer = [&](double t) {
+    struct Look {
+        double value, rise, bend;  ///< and its first two derivatives
+        CosSin turned;
+    };
+    const auto look = [&](double t) -> Look {
         const auto [c, s] = short_cos_sin(t);
-        const double value = cubic.value(t) + sine * c + slope * s;
-        if (value > best.value) {
-            best = {value, cos_[j] * c - sin_[j] * s, sin_[j] * c + cos_[j] * s,
+        const double wave = sine * c + slope * s;
+        return {cubic.value(t) + wave,
+                cubic.slope(t) - sine * s + slope * c,
+                2.0 * cubic.c2 + 6.0 * cubic.c3 * t - wave,
+                {c, s}};
+    };
+    const auto offer = [&](double t, const Look& here) {
+        if (here.value > best.value) {
+            const auto [c, s] = here.turned;
+            best = {here.value, cos_[j] * c - sin_[j] * s, sin_[j] * c + cos_[j] * s,
                     branch.from_deg + t / degree};
         }
     };
-    // The second derivative is 2 c₂ + 6 c₃ t − sine.
-    const double bend_first = 2.0 * cubic.c2;
-    const double bend_last = bend_first + 6.0 * cubic.c3 * width;
-    const double maximum = std::max(bend_first, bend_last) - std::min(sine, sine_last) + bow;
-    if (maximum <= 0.0) {
-        if (rise <= 0.0 || rise_last >= 0.0) {
+    // Parts that are neither concave nor convex are halved where the slope may change its sign.
+    const auto search = [&](const auto& self, double from, const Look& first, double to,
+                            const Look& last) -> void {
+        const double width = to - from;
+        const double bow_of_bend = at.size * width * width / 8.0;
+        const double most = std::max(first.bend, last.bend) + bow_of_bend;
+        const double least = std::min(first.bend, last.bend) - bow_of_bend;
+        if (most <= 0.0 && first.rise > 0.0 && last.rise < 0.0) {
+            double low = from;
+            double high = to;
+            double t = from + width * first.rise / (first.rise - last.rise);
+            for (int step = 0; step < 20; ++step) {
+                const Look here = look(t);
+                (here.rise > 0.0 ? low : high) = t;
+                double moved = t - here.rise / here.bend;
+                if (!(moved >= low && moved <= high)) {
+                    moved = (low + high) / 2.0;
+                }
+                const double change = std::abs(moved - t);
+                t = moved;
+                // The next step's would be the square of this, and the value is flat there.
+                if (change <= 1e-5 * width) {
+                    break;
+                }
+            }
+            offer(t, look(t));
             return;
         }
-        double low = 0.0;
-        double high = width;
-        double t = width * rise / (rise - rise_last);
-        for (int step = 0; step < 20; ++step) {
-            const auto [c, s] = short_cos_sin(t);
-            const double first = cubic.slope(t) - sine * s + slope * c;
-            const double second = bend_first + 6.0 * cubic.c3 * t - sine * c - slope * s;
-            (first > 0.0 ? low : high) = t;
-            double moved = t - first / second;
-            if (!(moved >= low && moved <= high)) {
-                moved = (low + high) / 2.0;
-            }
-            const double change = std::abs(moved - t);
-            t = moved;
-            // The next step's would be the square of this, and the value is flat there.
-            if (change <= 1e-5 * width) {
-                break;
-            }
+        constexpr double narrow = 1e-9;
+        if (most <= 0.0 || least >= 0.0 || width < narrow ||
+            (first.rise * last.rise > 0.0 &&
+             std::abs(first.rise) + std::abs(last.rise) > std::max(most, -least) * width)) {
+            return;  // an end is highest
         }
-        offer(t);
-        return;
-    }
-    const double minimum = std::min(bend_first, bend_last) - std::max(sine, sine_last) - bow;
-    if (minimum >= 0.0) {
-        return;  // convex: an end is highest
-    }
-    // sine cos t + slope sin t = A sin(t + phase)
-    for (const double t : stationary_points(cubic, at.size, 1.0, std::atan2(sine, slope), width)) {
-        offer(t);
-    }
+        const double t = (from + to) / 2.0;
+        const Look middle = look(t);
+        offer(t, middle);
+        self(self, from, first, t, middle);
+        self(self, t, middle, to, last);
+    };
+    const double width = width_[interval];
+    const Look first{left, cubic.c1 + slope, 2.0 * cubic.c2 - sine, {}};
+    const Look last{branch.last + sine_last,
+                    cubic.slope(width) + at.b * cos_[next] - at.a * sin_[next],
+                    2.0 * cubic.c2 + 6.0 * cubic.c3 * width - sine_last,
+                    {}};
+    search(search, 0.0, first, width, last);
 }
 
 /// The highest place so far.

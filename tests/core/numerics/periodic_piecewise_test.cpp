@@ -9,7 +9,6 @@
 #include <random>
 
 #include "numerics/constants.h"
-#include "numerics/extrema.h"
 
 namespace ravnoves {
 namespace {
@@ -171,43 +170,6 @@ TEST(PeriodicSpline, OfAConstantIsTheConstant) {
     const auto spline = PeriodicPiecewise::cubic(x, std::vector<double>(20, 4.0));
     EXPECT_EQ(spline(0.3), 4.0);
     EXPECT_EQ(spline.variance(), 0.0);
-}
-
-TEST(StationaryPoints, OfCubicAndSineAreAllFound) {
-    std::mt19937 generator(5);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    int found = 0;
-    for (int trial = 0; trial < 3000; ++trial) {
-        const PeriodicPiecewise::Cubic p{unit(generator), unit(generator), 0.5 * unit(generator),
-                                         0.2 * unit(generator)};
-        const double amplitude =
-            trial % 10 == 0 ? 0.0 : (trial % 2 == 0 ? 1.0 : 20.0) * std::abs(unit(generator));
-        const double phase = 7.0 * unit(generator);
-        const double w = 1.0;
-        const double h = (trial % 3 == 0 ? 6.28 : 1.0) * std::abs(unit(generator));
-        const auto slope = [&](double t) {
-            return p.slope(t) + amplitude * w * std::cos(w * t + phase);
-        };
-        const Places places = stationary_points(p, amplitude, w, phase, h);
-        for (const double t : places) {
-            EXPECT_GT(t, 0.0);
-            EXPECT_LT(t, h);
-            EXPECT_NEAR(slope(t), 0.0, 1e-13 * (1.0 + amplitude));
-            ++found;
-        }
-        // Every sign change on a fine grid has its place.
-        constexpr int samples = 2000;
-        for (int i = 0; i < samples; ++i) {
-            const double a = h * i / samples;
-            const double b = h * (i + 1) / samples;
-            if (slope(a) * slope(b) < 0.0) {
-                EXPECT_TRUE(std::any_of(places.begin(), places.end(),
-                                        [&](double t) { return t >= a - 1e-12 && t <= b + 1e-12; }))
-                    << "trial " << trial << " at " << a;
-            }
-        }
-    }
-    EXPECT_GT(found, 500);
 }
 
 }  // namespace
