@@ -75,19 +75,6 @@ void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque)
     }
 }
 
-PeriodicPiecewise computed_torque(const Input& input, const CylinderGas& gas) {
-    const SliderCrank<double> crank = slider_crank(input);
-    const double top = crank.top_dead_centre();
-    const double mass = input.reciprocating_mass();
-    return PeriodicPiecewise::through(
-        [&](const double& angle) {
-            const double theta = angle * degree + top;
-            const PistonMotion<double> motion = crank.at(theta);
-            return gas.torque(theta, motion) + inertia_torque(motion, mass, input.angular_speed);
-        },
-        torque_knots(gas));
-}
-
 TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
     const SliderCrank<double> crank = slider_crank(input);
     const double top = crank.top_dead_centre();
@@ -107,16 +94,12 @@ std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& 
         return std::nullopt;
     }
     const TorqueTable& table = input.torque.table;
-    // m_j r² of the fit, on a crank of radius 1.
     const double speed2 = input.angular_speed * input.angular_speed;
-    const SliderCrank<double> crank{1.0, 1.0 / check.fitted_lambda,
-                                    input.cylinder.offset / input.crank_radius};
-    const double top = crank.top_dead_centre();
     std::vector<double> gas(table.size());
     std::vector<double> unit_inertia(table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
-        unit_inertia[i] = inertia_torque(crank.at(table.crank_angle_deg[i] * degree + top),
-                                         *check.fitted / speed2, 1.0);
+        unit_inertia[i] = *check.fitted / speed2 *
+                          unit_inertia_torque(input, check.fitted_lambda, table.crank_angle_deg[i]);
         gas[i] = table.torque[i] - speed2 * unit_inertia[i];
     }
     const auto curve = [&](std::vector<double>&& values) {

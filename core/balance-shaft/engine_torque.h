@@ -33,14 +33,15 @@ void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque)
 struct TorqueParts {
     PeriodicPiecewise gas;           ///< N·m
     PeriodicPiecewise unit_inertia;  ///< −m_j s′ s″, N·m s², with the same knots
+
+    PeriodicPiecewise at(double angular_speed) const {
+        return PeriodicPiecewise::sum(gas, unit_inertia, angular_speed * angular_speed);
+    }
 };
 
-/// M_id of an input whose torque is computed: cubics between every 0.5° and every place where the
+/// Of an input whose torque is computed: cubics between every 0.5° and every place where the
 /// pressure has a kink, so that the curve is the torque itself to about 1e-5 of its range, whatever
 /// interpolation a table would have.
-PeriodicPiecewise computed_torque(const Input& input, const CylinderGas& gas);
-
-/// Its parts.
 TorqueParts torque_parts(const Input& input, const CylinderGas& gas);
 
 /// The parts of a table that belongs to the masses and the speed entered: its fitted inertia torque

@@ -28,12 +28,6 @@ PistonMotion<double> unit_motion(double lambda, double relative_offset, double a
     return crank.at(angle + crank.top_dead_centre());
 }
 
-/// Inertia torque for mⱼ r² ω² = 1: −s′ s″/r².
-double unit_torque(double lambda, double relative_offset, double angle) {
-    const PistonMotion<double> motion = unit_motion(lambda, relative_offset, angle);
-    return -motion.ds * motion.d2s;
-}
-
 /// Where the rod is not known, λ is searched up to what lets the crank turn round.
 double max_lambda(double relative_offset) {
     return std::min(largest_lambda, 0.999 / (1.0 + std::abs(relative_offset)));
@@ -167,6 +161,12 @@ Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_de
 
 }  // namespace
 
+double unit_inertia_torque(const Input& input, double lambda, double crank_angle_deg) {
+    const PistonMotion<double> motion =
+        unit_motion(lambda, input.cylinder.offset / input.crank_radius, crank_angle_deg * degree);
+    return -motion.ds * motion.d2s;
+}
+
 InertiaCheck check_inertia(const Input& input) {
     InertiaCheck check;
     const double speed = input.angular_speed;
@@ -297,12 +297,11 @@ Input with_rebuilt_torque(const Input& input, const InertiaCheck& check) {
     const double lambda = input.cylinder.rod_length
                               ? input.crank_radius / *input.cylinder.rod_length
                               : check.fitted_lambda;
-    const double offset = input.cylinder.offset / input.crank_radius;
     TorqueTable& table = changed.torque.table;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const double angle = table.crank_angle_deg[i] * degree;
-        table.torque[i] += check.entered * unit_torque(lambda, offset, angle) -
-                           *check.fitted * unit_torque(check.fitted_lambda, offset, angle);
+        const double angle = table.crank_angle_deg[i];
+        table.torque[i] += check.entered * unit_inertia_torque(input, lambda, angle) -
+                           *check.fitted * unit_inertia_torque(input, check.fitted_lambda, angle);
         // What the sines leave at their zeros is no torque.
         if (std::abs(table.torque[i]) < 1e-12 * std::max(std::abs(check.entered), *check.fitted)) {
             table.torque[i] = 0.0;

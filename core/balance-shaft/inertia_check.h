@@ -52,6 +52,9 @@ struct InertiaCheck {
 /// The check of an input's table, or the reason for none.
 InertiaCheck check_inertia(const Input& input);
 
+/// Inertia torque for mⱼ r² ω² = 1, −s′ s″/r², of the input's crank with another r/L.
+double unit_inertia_torque(const Input& input, double lambda, double crank_angle_deg);
+
 /// A remedy beside the matching speed: the same input with the torque rebuilt, the fitted inertia
 /// torque replaced by the inertia torque of the masses and the speed entered (with r/L of the input
 /// where its rod is known, else of the fit). The torque becomes a table.

@@ -12,7 +12,7 @@ namespace {
 
 /// M_id over the cycle, as given or computed.
 PeriodicPiecewise engine_torque(const Input& input, const std::optional<CylinderGas>& gas) {
-    return gas ? computed_torque(input, *gas)
+    return gas ? torque_parts(input, *gas).at(input.angular_speed)
                : torque_curve(input.torque.table, input.interpolation);
 }
 

@@ -1,6 +1,9 @@
 #include "balance-shaft/offset_cylinder.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "numerics/constants.h"
 #include "numerics/harmonics.h"
@@ -28,13 +31,23 @@ PeriodicPiecewise with_offset_term(const PeriodicPiecewise& moment,
     if (crank.offset == 0.0) {
         return moment;
     }
+    const std::vector<double>& ends = moment.knots();
     constexpr double longest_deg = 0.5;
-    const PeriodicPiecewise fine = moment.refined(longest_deg);
+    std::vector<double> knots;
+    for (std::size_t i = 0; i < moment.size(); ++i) {
+        const double h = ends[i + 1] - ends[i];
+        const int parts = std::max(1, static_cast<int>(std::ceil(h / longest_deg)));
+        for (int part = 0; part < parts; ++part) {
+            knots.push_back(ends[i] + h * part / parts);
+        }
+    }
+    knots.push_back(ends.back());
     const double top = crank.top_dead_centre();
-    const auto term = PeriodicPiecewise::through(
-        [&](const double& angle) { return offset_lever(crank, angle * degree + top); },
-        fine.knots());
-    return PeriodicPiecewise::sum(fine, term, factor);
+    return PeriodicPiecewise::through(
+        [&](const double& angle) {
+            return moment(angle) + factor * offset_lever(crank, angle * degree + top);
+        },
+        std::move(knots));
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -13,18 +13,11 @@ namespace ravnoves {
 namespace {
 
 /// ∫ tᵏ cos t dt over (−d, d) for k = 0, 2 and ∫ tᵏ sin t dt for k = 1, 3, by their power series:
-/// no cancellation for short pieces, and d ≤ 1 needs few terms. Straight lines need the first two
-/// alone, whose closed forms lose nothing but digits of the line's rise.
+/// no cancellation for short pieces, and d ≤ 1 needs few terms.
 struct TrigonometricMoments {
-    double cos_0, sin_1, cos_2, sin_3;
+    double cos_0 = 0.0, sin_1 = 0.0, cos_2 = 0.0, sin_3 = 0.0;
 
-    TrigonometricMoments(double d, bool linear) : cos_0(0), sin_1(0), cos_2(0), sin_3(0) {
-        if (linear) {
-            const double s = std::sin(d);
-            cos_0 = 2 * s;
-            sin_1 = 2 * (s - d * std::cos(d));
-            return;
-        }
+    explicit TrigonometricMoments(double d) {
         constexpr int terms = 12;
         const double minimum = std::numeric_limits<double>::epsilon() * d / 1000;
         double even = 2 * d;         // 2 (−1)ʲ d^(2j+1) / (2j)!
@@ -86,7 +79,6 @@ PeriodicPiecewise PeriodicPiecewise::cubic(std::span<const double> x, std::span<
     const Vector curvature = solver.solve(right);
 
     PeriodicPiecewise f;
-    f.linear_ = false;
     f.knots_.assign(x.begin(), x.end());
     f.pieces_.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -103,7 +95,6 @@ PeriodicPiecewise PeriodicPiecewise::through(const std::function<double(double)>
                                              std::vector<double> x) {
     RAVNOVES_DEMAND(x.size() >= 2, "two knots at least");
     PeriodicPiecewise result;
-    result.linear_ = false;
     result.knots_ = std::move(x);
     const std::size_t n = result.knots_.size() - 1;
     result.pieces_.reserve(n);
@@ -141,7 +132,6 @@ PeriodicPiecewise PeriodicPiecewise::sum(const PeriodicPiecewise& f, const Perio
                                          double factor) {
     RAVNOVES_DEMAND(f.knots_ == g.knots_, "both functions have the same knots");
     PeriodicPiecewise result = f;
-    result.linear_ = f.linear_ && g.linear_;
     for (std::size_t i = 0; i < f.pieces_.size(); ++i) {
         Cubic& piece = result.pieces_[i];
         const Cubic& other = g.pieces_[i];
@@ -150,22 +140,6 @@ PeriodicPiecewise PeriodicPiecewise::sum(const PeriodicPiecewise& f, const Perio
         piece.c2 += factor * other.c2;
         piece.c3 += factor * other.c3;
     }
-    return result;
-}
-
-PeriodicPiecewise PeriodicPiecewise::refined(double longest) const {
-    PeriodicPiecewise result;
-    result.linear_ = linear_;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const double h = knots_[i + 1] - knots_[i];
-        const int parts = std::max(1, static_cast<int>(std::ceil(h / longest)));
-        for (int part = 0; part < parts; ++part) {
-            const double t = h * part / parts;
-            result.knots_.push_back(knots_[i] + t);
-            result.pieces_.push_back(pieces_[i].shifted(t));
-        }
-    }
-    result.knots_.push_back(knots_.back());
     return result;
 }
 
@@ -233,7 +207,7 @@ std::vector<FourierPair> PeriodicPiecewise::fourier_series(double angular_freque
         if (half != half_of_moments) {
             moments.clear();
             for (std::size_t k = 1; k <= count; ++k) {
-                moments.emplace_back(half * angular_frequency * static_cast<double>(k), linear_);
+                moments.emplace_back(half * angular_frequency * static_cast<double>(k));
             }
             half_of_moments = half;
         }

@@ -54,18 +54,16 @@ class PeriodicPiecewise {
     /// @param x  n + 1 ascending knots, n ≥ 1; the function has the period x[n] − x[0]
     static PeriodicPiecewise through(const std::function<double(double)>& f, std::vector<double> x);
 
-    /// f + factor × g, of two functions with the same knots; straight lines where both are.
+    /// f + factor × g, of two functions with the same knots.
     static PeriodicPiecewise sum(const PeriodicPiecewise& f, const PeriodicPiecewise& g,
                                  double factor);
-    /// The same function with every piece that is longer than `longest` cut into equal parts.
-    PeriodicPiecewise refined(double longest) const;
 
     double period() const { return knots_.back() - knots_.front(); }
     std::size_t size() const { return pieces_.size(); }           ///< n
     const std::vector<double>& knots() const { return knots_; }   ///< n + 1 places
     const std::vector<Cubic>& pieces() const { return pieces_; }  ///< n pieces
 
-    /// −f; straight lines stay straight lines.
+    /// −f
     PeriodicPiecewise negated() const;
 
     Place find(double x) const;  ///< any finite x, taken into the period
@@ -83,7 +81,6 @@ class PeriodicPiecewise {
   private:
     std::vector<double> knots_;
     std::vector<Cubic> pieces_;
-    bool linear_ = true;
 };
 
 }  // namespace ravnoves

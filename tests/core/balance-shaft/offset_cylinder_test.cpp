@@ -257,7 +257,8 @@ TEST(OffsetCylinder, AngleSweepMetricsAndGearsFollow) {
 TEST(OffsetCylinder, AMeasuredTableHasTheTermToo) {
     const Input computed = offset_engine();
     const Result expected = solve(computed);
-    const PeriodicPiecewise torque = computed_torque(computed, *cylinder_gas(computed));
+    const PeriodicPiecewise torque =
+        torque_parts(computed, *cylinder_gas(computed)).at(computed.angular_speed);
     Input table = computed;
     table.torque.kind = TorqueSource::Kind::table;
     for (int i = 0; i <= 1440; ++i) {
