@@ -38,8 +38,6 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
     GearError result;
     result.phase_error = two_pi * input.gears.shifted_teeth / input.gears.teeth;
     result.residual_force = residual(force, result.phase_error);
-    result.right_range = solver.range(shaft_angle);
-    result.right_rms = solver.rms(shaft_angle);
     const double angle = shaft_angle + result.phase_error;
     result.range = solver.range(angle);
     result.rms = solver.rms(angle);

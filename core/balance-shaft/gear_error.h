@@ -18,8 +18,6 @@ struct GearError {
     double residual_force = 0.0;  ///< 2 P₁ |sin(δ/2)|, N, turning against the crank
     double range = 0.0;           ///< ΔM_ups with the error, N·m
     double rms = 0.0;             ///< N·m
-    double right_range = 0.0;     ///< of the shaft in its right place, N·m
-    double right_rms = 0.0;       ///< N·m
 
     double play = 0.0;            ///< half of the angle that the play leaves, rad
     double play_force = 0.0;      ///< largest residual force at the ends of the play, N

@@ -37,9 +37,6 @@ MechanismPose mechanism_pose(const Solver& solver, double crank_angle, double sh
     const double force = solver.moments().forces.counterweight_force;
     pose.crank_counterweight_force = {force * crank_direction.x, force * crank_direction.y};
     pose.shaft_counterweight_force = {force * shaft_direction.x, force * shaft_direction.y};
-    pose.M_up = solver.M_up(crank_angle);
-    pose.M_s = solver.M_s(crank_angle, shaft_angle);
-    pose.M_ups = pose.M_up + pose.M_s;
     return pose;
 }
 

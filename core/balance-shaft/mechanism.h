@@ -20,9 +20,6 @@ struct MechanismPose {
     Vector2 inertia_force_1;      ///< of the reciprocating mass, first order, at the piston pin
     Vector2 crank_counterweight_force;
     Vector2 shaft_counterweight_force;
-    double M_up = 0.0;   ///< N·m
-    double M_s = 0.0;    ///< N·m
-    double M_ups = 0.0;  ///< N·m
 };
 
 /// The pose at a crank angle and a shaft angle, both rad, any.

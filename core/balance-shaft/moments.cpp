@@ -89,18 +89,14 @@ Optimum best_rms(const Moments& moments, const MomentMetrics& tipping) {
 }  // namespace
 
 Moments::Moments(const Input& checked)
-    : strokes(checked.strokes),
-      crank(slider_crank(checked)),
-      top(crank.top_dead_centre()),
-      piston_1(piston_first_order(crank)),
-      phase(top - piston_1.lag),
-      forces(forces_of(checked)),
-      gas(cylinder_gas(checked)),
+    : gas(cylinder_gas(checked)),
       torque(engine_torque(checked, gas)),
       moment(with_offset_term(
-          torque.negated(), crank,
+          torque.negated(), slider_crank(checked),
           checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
-      plane(moment) {}
+      plane(moment) {
+    follow(checked);
+}
 
 bool have_same_tipping_moment(const Input& one, const Input& other) {
     if (one.strokes != other.strokes || one.interpolation != other.interpolation ||

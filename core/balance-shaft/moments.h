@@ -13,7 +13,6 @@ namespace ravnoves::balance_shaft {
 /// The moments on the mounts at every α: what the solver's result begins with, without the front
 /// view, the curves and the sweep.
 struct Moments {
-    int strokes;
     SliderCrank<double> crank;
     double top;  ///< θ at top dead centre, where φ is 0, rad
     PistonFirstOrder piston_1;

@@ -6,7 +6,6 @@
 
 #include "balance-shaft/angle_search.h"
 #include "balance-shaft/engine_torque.h"
-#include "balance-shaft/shaft_places.h"
 #include "balance-shaft/table_reading.h"
 #include "balance-shaft/trace_check.h"
 #include "case-file/decimal.h"
@@ -90,32 +89,10 @@ RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
 
 }  // namespace
 
-struct Solver::Prepared : Moments {
-    Input input;
-    FrontView view;
-    ShaftPlaces places;
-    BuildableAngles buildable;
-    /// What result() starts from: all but what follows the shaft's angle.
-    Result base;
-    std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
-    std::vector<double> sin_curve;
-
-    explicit Prepared(const Input& checked);
-
-    void prepare_spectrum();
-    void prepare_curves();
-    void prepare_buildable();
-    void prepare_sweep();
-    void prepare_notes();
-    void prepare_notes_on_building();
-};
-
 Solver::Prepared::Prepared(const Input& checked)
     : Moments(checked),
       input(checked),
-      view(balance_shaft::front_view(checked)),
-      places(view, checked.place_limits),
-      buildable(buildable_angles(view, checked.place_limits)) {
+      places(balance_shaft::front_view(checked), checked.place_limits) {
     fill(input, true, base);
     base.printed_mean_M_up = printed_mean_of_rows(input, moment);
     if (gas) {
@@ -123,7 +100,7 @@ Solver::Prepared::Prepared(const Input& checked)
         base.indicated_power = base.indicated->work * input.angular_speed / gas->period();
     }
     base.inertia_check = check_inertia(input);
-    base.relieved_shaft = relieved_shaft(input, view);
+    base.relieved_shaft = relieved_shaft(input, places.view());
     prepare_spectrum();
     prepare_curves();
     base.flywheel =
@@ -134,7 +111,7 @@ Solver::Prepared::Prepared(const Input& checked)
 }
 
 void Solver::Prepared::prepare_spectrum() {
-    const auto turns = static_cast<std::size_t>(strokes / 2);
+    const auto turns = static_cast<std::size_t>(input.strokes / 2);
     const auto of_turns = static_cast<double>(turns);
     const auto series = moment.fourier_series(degree / of_turns, turns * spectrum_orders);
     for (std::size_t k = 0; k < series.size(); ++k) {
@@ -175,7 +152,8 @@ void Solver::Prepared::prepare_curves() {
 
 /// The best of what can be built.
 void Solver::Prepared::prepare_buildable() {
-    base.buildable = buildable;
+    base.buildable = buildable_angles(places.view(), input.place_limits);
+    const BuildableAngles& buildable = base.buildable;
     Optimum& range = base.best_range_buildable;
     Optimum& rms = base.best_rms_buildable;
     if (buildable.stretches.empty()) {
@@ -254,8 +232,8 @@ void Solver::Prepared::prepare_notes() {
     if (input.relieved_shaft && !base.relieved_shaft.feasible) {
         base.doubts.emplace_back(Text::tr("Relieved shaft: %1"), base.relieved_shaft.reason);
     }
-    const double length = half_disc_length(view.shaft_swing_radius, input.unbalance());
-    if (!input.relieved_shaft && length > usual_bores * view.cylinder_bore) {
+    const double length = half_disc_length(places.view().shaft_swing_radius, input.unbalance());
+    if (!input.relieved_shaft && length > usual_bores * places.view().cylinder_bore) {
         base.doubts.emplace_back(Text::tr("A steel half disc of the shaft swing radius must be "
                                           "%1 long for m₁ ρ₁: more than two bores."),
                                  Number{length / units::mm, units::mm, 3});
@@ -266,7 +244,17 @@ void Solver::Prepared::prepare_notes() {
     if (forces.moment_amplitude == 0.0) {
         base.notes.push_back(base.best_range.note);
     }
-    prepare_notes_on_building();
+    const auto in_degrees = [](double angle) { return Number{angle / degree, units::degree, -2}; };
+    if (crank.offset != 0.0) {
+        base.notes.emplace_back(
+            Text::tr("Offset cylinder: at the top dead centre (φ = 0) the crank is %1 from the "
+                     "cylinder's direction; both counterweights lag by %2."),
+            in_degrees(top), in_degrees(piston_1.lag));
+    }
+    if (base.buildable.stretches.empty()) {
+        base.notes.emplace_back(Text::tr("No feasible position: %1"), base.buildable.reason);
+    }
+    base.assumed_sizes = balance_shaft::assumed_sizes(input);
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
     constexpr double noticeable = 1e-3;
     if (input.counterweight_mass && std::abs(balanced - 1.0) > noticeable) {
@@ -279,27 +267,9 @@ void Solver::Prepared::prepare_notes() {
     }
 }
 
-void Solver::Prepared::prepare_notes_on_building() {
-    const auto in_degrees = [](double angle) { return Number{angle / degree, units::degree, -2}; };
-    if (crank.offset != 0.0) {
-        base.notes.emplace_back(
-            Text::tr("Offset cylinder: at the top dead centre (φ = 0) the crank is %1 from the "
-                     "cylinder's direction; both counterweights lag by %2."),
-            in_degrees(top), in_degrees(piston_1.lag));
-    }
-    if (buildable.stretches.empty()) {
-        base.notes.emplace_back(Text::tr("No feasible position: %1"), buildable.reason);
-    }
-    base.assumed_sizes = balance_shaft::assumed_sizes(input);
-}
-
 Solver::Solver(const Input& input) {
     check_input(input);
     prepared_ = std::make_shared<const Prepared>(input);
-}
-
-const Input& Solver::input() const {
-    return prepared_->input;
 }
 
 Result Solver::result() const {
@@ -317,16 +287,16 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     result.printed_mean_M_s =
         printed_mean_of_shaft_moment(amplitude, turned, prepared.input.strokes);
     result.printed_mean_M_ups = result.printed_mean_M_s + prepared.base.printed_mean_M_up;
-    result.envelope = balance_shaft::envelope(prepared.view, alpha);
+    result.envelope = balance_shaft::envelope(front_view(), alpha);
     const double l = prepared.input.centre_distance;
-    result.obstacle = prepared.buildable.contains(alpha)
+    result.obstacle = buildable().contains(alpha)
                           ? Obstacle::none
                           : prepared.places.obstacle(l * std::sin(alpha), l * std::cos(alpha));
     result.is_buildable = result.obstacle == Obstacle::none;
 
     const MomentPlane::Moment shaft = shaft_at(amplitude, turned);
     const MomentPlane::Moment order_1 = shaft - prepared.plane.opposed();
-    result.spectrum_M_ups[prepared.strokes == 2 ? 0 : 1] =
+    result.spectrum_M_ups[prepared.input.strokes == 2 ? 0 : 1] =
         order_line(1.0, {order_1.x(), order_1.y()});
 
     for (std::size_t i = 0; i < prepared.cos_curve.size(); ++i) {
@@ -334,35 +304,6 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
         result.curves.M_s[i] = moment;
         result.curves.M_ups[i] = prepared.base.curves.M_up[i] + moment;
     }
-}
-
-double Solver::M_up(double crank_angle) const {
-    return prepared_->moment(crank_angle / degree);
-}
-
-double Solver::M_s(double crank_angle, double shaft_angle) const {
-    return prepared_->forces.moment_amplitude *
-           std::sin(shaft_angle + crank_angle + prepared_->phase);
-}
-
-const Moments& Solver::moments() const {
-    return *prepared_;
-}
-
-const BuildableAngles& Solver::buildable() const {
-    return prepared_->buildable;
-}
-
-double Solver::range(double shaft_angle) const {
-    return prepared_->plane.range(prepared_->shaft_moment(shaft_angle));
-}
-
-double Solver::rms(double shaft_angle) const {
-    return prepared_->plane.rms(prepared_->shaft_moment(shaft_angle));
-}
-
-const FrontView& Solver::front_view() const {
-    return prepared_->view;
 }
 
 Result solve(const Input& input) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
+#include <vector>
 
-#include "balance-shaft/envelope.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/moments.h"
 #include "balance-shaft/result.h"
+#include "balance-shaft/shaft_places.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -19,7 +21,7 @@ class Solver {
     /// @throws InputError as check_input()
     explicit Solver(const Input& input);
 
-    const Input& input() const;
+    const Input& input() const { return prepared_->input; }
     /// The whole result at the input's α.
     Result result() const;
     /// Sets α in a result of this solver and updates all that follows it; allocates nothing
@@ -27,19 +29,43 @@ class Solver {
     /// @param shaft_angle  rad, any finite angle
     void move_shaft(double shaft_angle, Result& result) const;
 
-    double M_up(double crank_angle) const;                     ///< N·m; angle in rad, any
-    double M_s(double crank_angle, double shaft_angle) const;  ///< N·m, equation (4)
-    const Moments& moments() const;
-    const BuildableAngles& buildable() const;
+    /// N·m; angle in rad, any.
+    double M_up(double crank_angle) const { return moments().moment(crank_angle / degree); }
+    /// N·m, equation (4).
+    double M_s(double crank_angle, double shaft_angle) const {
+        return moments().forces.moment_amplitude *
+               std::sin(shaft_angle + crank_angle + moments().phase);
+    }
+    const Moments& moments() const { return *prepared_; }
+    const BuildableAngles& buildable() const { return prepared_->base.buildable; }
     /// ΔM_ups of the continuous cycle at α, N·m.
-    double range(double shaft_angle) const;
+    double range(double shaft_angle) const {
+        return moments().plane.range(moments().shaft_moment(shaft_angle));
+    }
     /// RMS of M_ups about its mean at α, N·m.
-    double rms(double shaft_angle) const;
-    const FrontView& front_view() const;
-
-    struct Prepared;
+    double rms(double shaft_angle) const {
+        return moments().plane.rms(moments().shaft_moment(shaft_angle));
+    }
+    const FrontView& front_view() const { return prepared_->places.view(); }
 
   private:
+    struct Prepared : Moments {
+        explicit Prepared(const Input& checked);
+
+        void prepare_spectrum();
+        void prepare_curves();
+        void prepare_buildable();
+        void prepare_sweep();
+        void prepare_notes();
+
+        Input input;
+        ShaftPlaces places;
+        /// What result() starts from: all but what follows the shaft's angle.
+        Result base;
+        std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
+        std::vector<double> sin_curve;
+    };
+
     std::shared_ptr<const Prepared> prepared_;
 };
 

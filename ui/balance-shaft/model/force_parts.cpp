@@ -264,6 +264,7 @@ Figure gearMoment(const BalanceShaftModel& model) {
 Results gears(const BalanceShaftModel& model) {
     namespace key = balance_shaft::result_field;
     const GearError& error = model.gearError();
+    const auto& right = model.result().M_ups;
     const auto angle = [](double radians, int digits) {
         return ResultCell(radians / degree, fixedNumber(radians / degree, digits, QLocale()));
     };
@@ -285,11 +286,10 @@ Results gears(const BalanceShaftModel& model) {
         {{ShaftParts::tr("phase error"), when(isOut, angle(error.phase_error, 2)), degrees},
          ShaftParts::tr("360° k / z")},
         shownRow(key::residual_force, isOut ? std::optional(error.residual_force) : std::nullopt),
-        {{ShaftParts::tr("range"), when(isOut, moments(error.right_range, to, error.range, 0)),
+        {{ShaftParts::tr("range"), when(isOut, moments(right.range, to, error.range, 0)),
           momentUnit},
          ShaftParts::tr("ΔMᵤₚₛ, correct timing → k teeth out")},
-        {{ShaftParts::tr("RMS"), when(isOut, moments(error.right_rms, to, error.rms, 1)),
-          momentUnit},
+        {{ShaftParts::tr("RMS"), when(isOut, moments(right.rms, to, error.rms, 1)), momentUnit},
          ShaftParts::tr("RMS of Mᵤₚₛ, correct timing → k teeth out")},
         {{ShaftParts::tr("play, ±"), when(hasPlay, angle(error.play, 3)), degrees},
          ShaftParts::tr("Angle of the shaft within the play, to either side: play / l")},
