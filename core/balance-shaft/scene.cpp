@@ -18,9 +18,8 @@ namespace {
 
 /// Reads and parses a file that the case names, and takes its sum; a case without one is made with
 /// the file as it is now. The strokes say how long a cycle of a file with more than one is.
-template <typename Parsed>
-Parsed read_beside(DataFile& file, const std::string& place, const CaseContext& context,
-                   int strokes, Parsed (*parse)(std::string_view, const TableReading&)) {
+ParsedCycle read_beside(Measured what, DataFile& file, const std::string& place,
+                        const CaseContext& context, int strokes) {
     if (file.name.find('\0') != std::string::npos || file.name.empty()) {
         throw InputError(place, Text::tr("must be a file name"), show(Json(file.name)));
     }
@@ -38,7 +37,7 @@ Parsed read_beside(DataFile& file, const std::string& place, const CaseContext& 
         }
         TableReading reading = file.reading;
         reading.strokes = strokes;
-        return parse(text, reading);
+        return parse_cycle(what, text, reading);
     } catch (const InputError& error) {
         throw InputError::in_file(place, printable(file.name), error);
     }
@@ -49,11 +48,10 @@ void read_file(TorqueSource& source, TorqueSource::Kind kind, const std::string&
                const CaseContext& context, int strokes) {
     if (kind == TorqueSource::Kind::csv) {
         source.table =
-            read_beside(source.csv, root + "/torque/csv", context, strokes, parse_torque_table)
-                .table;
+            read_beside(Measured::torque, source.csv, root + "/torque/csv", context, strokes).table;
     } else if (kind == TorqueSource::Kind::pressure) {
-        source.trace = read_beside(source.trace_file, root + "/torque/pressure/csv", context,
-                                   strokes, parse_pressure_trace)
+        source.trace = read_beside(Measured::pressure, source.trace_file,
+                                   root + "/torque/pressure/csv", context, strokes)
                            .trace;
     }
 }

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <initializer_list>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
-#include "balance-shaft/cycle_rows.h"
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
 
@@ -91,41 +91,34 @@ std::optional<Unit> named_pressure_unit(std::string_view text) {
 
 /// "M (kN·m)", "torque, lb-ft": whole words, for daN·m and MN·m end in N·m too.
 std::optional<Unit> named_torque_unit(std::string_view text) {
-    constexpr std::pair<std::string_view, Unit> names[] = {
-        {"nm", units::N_m},       {"Нм", units::N_m},       {"knm", units::kN_m},
-        {"кНм", units::kN_m},     {"lbfft", units::lbf_ft}, {"lbft", units::lbf_ft},
-        {"ftlbf", units::lbf_ft}, {"ftlb", units::lbf_ft},  {"ftlbs", units::lbf_ft},
-        {"lbfin", units::lbf_in}, {"lbin", units::lbf_in},  {"inlbf", units::lbf_in},
-        {"inlb", units::lbf_in},  {"inlbs", units::lbf_in}};
-    // What stands between the parts of a unit.
-    constexpr std::string_view joints[] = {"·", "⋅", "*", "-", ".", " ", "_"};
-    std::string joined;
-    std::vector<std::size_t> words{0};  // where they begin
-    for (std::size_t at = 0; at <= text.size();) {
-        const auto joint = std::ranges::find_if(
-            joints, [&](std::string_view each) { return text.substr(at).starts_with(each); });
-        if (joint != std::end(joints)) {
-            words.push_back(joined.size());
-            at += joint->size();
-            continue;
+    constexpr std::tuple<std::string_view, std::string_view, Unit> names[] = {
+        {"n", "m", units::N_m},       {"Н", "м", units::N_m},       {"kn", "m", units::kN_m},
+        {"кН", "м", units::kN_m},     {"lbf", "ft", units::lbf_ft}, {"lb", "ft", units::lbf_ft},
+        {"ft", "lbf", units::lbf_ft}, {"ft", "lb", units::lbf_ft},  {"ft", "lbs", units::lbf_ft},
+        {"lbf", "in", units::lbf_in}, {"lb", "in", units::lbf_in},  {"in", "lbf", units::lbf_in},
+        {"in", "lb", units::lbf_in},  {"in", "lbs", units::lbf_in}};
+    std::string words = ";" + in_small_letters(text) + ";";
+    for (const std::string_view joint : {"·", "⋅", "*", "-", ".", "_"}) {
+        for (auto at = words.find(joint); at != std::string::npos; at = words.find(joint)) {
+            words.replace(at, joint.size(), " ");
         }
-        const char c = at < text.size() ? text[at] : ';';
-        ++at;
-        const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                               (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-        if (is_letter) {
-            joined += in_small_letters({&c, 1});
-            continue;
-        }
-        for (const std::size_t begin : words) {
-            const auto name = std::ranges::find(names, std::string_view(joined).substr(begin),
-                                                [](const auto& each) { return each.first; });
-            if (name != std::end(names) && c != '/') {
-                return name->second;
+    }
+    const auto is_apart = [](char c) {
+        return static_cast<unsigned char>(c) < 0x80 && !(c >= 'a' && c <= 'z') &&
+               !(c >= '0' && c <= '9');
+    };
+    for (const auto& [first, second, unit] : names) {
+        for (const char* const joint : {"", " "}) {
+            const std::string name = std::string(first).append(joint).append(second);
+            for (auto at = words.find(name); at != std::string::npos;
+                 at = words.find(name, at + 1)) {
+                const std::size_t end = at + name.size();
+                if (is_apart(words[at - 1]) && is_apart(words[end]) &&
+                    words[words.find_first_not_of(' ', end)] != '/') {
+                    return unit;
+                }
             }
         }
-        joined.clear();
-        words.assign(1, 0);
     }
     return std::nullopt;
 }
@@ -292,12 +285,6 @@ void close(Series& series, double period) {
     series.row.push_back(series.row.back());
 }
 
-/// A table of two columns, of one cycle.
-struct Cycle {
-    TableFormat format;
-    Series rows;
-};
-
 /// Brings values to SI and checks them.
 void convert(const TwoColumns& rows, const Column& column, const TableReading& reading,
              const TableFormat& format, std::vector<double>& values) {
@@ -328,12 +315,11 @@ void check_rows(std::size_t rows, const Column& column) {
 }
 
 /// Checks the rows, finds the unit of the angles and brings the table to one cycle in degrees.
-Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
+ParsedCycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     const Column& column = column_of(what);
     const std::optional<Unit> named =
         reading.unit ? reading.unit : named_unit(what, rows.heading(1));
-    Cycle cycle;
-    TableFormat& format = cycle.format;
+    ParsedCycle format;
     format.what = what;
     format.separator = rows.view.separator;
     format.header_lines = rows.view.header_lines;
@@ -371,8 +357,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
             angle /= degree;
         }
     }
-    Series& series = cycle.rows;
-    series = unrolled(rows.first, std::move(rows.second));
+    Series series = unrolled(rows.first, std::move(rows.second));
     check_rows(series.angle.size(), column);
     check_ascending(series.angle, [&](std::size_t i) { return rows.place(series.row[i], 0); });
 
@@ -439,13 +424,14 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     }
     series.angle.back() = series.angle.front() + period;
     // Rounding of the units must not have undone the order.
-    for (std::size_t i = 1; i < series.angle.size(); ++i) {
-        if (!(series.angle[i] > series.angle[i - 1])) {
-            throw InputError("", Text::tr("the angles of neighbouring rows are too close together"),
-                             Number{series.angle[i], units::degree});
-        }
+    check_ascending(series.angle, [&](std::size_t i) { return rows.place(series.row[i], 0); });
+    if (what == Measured::torque) {
+        format.table = {std::move(series.angle), std::move(series.value)};
+    } else {
+        format.trace = {std::move(series.angle), std::move(series.value), format.unit,
+                        format.unit_named};
     }
-    return cycle;
+    return format;
 }
 
 TwoColumns read_columns(std::string_view text, Measured what, const TableReading& reading) {
@@ -455,22 +441,10 @@ TwoColumns read_columns(std::string_view text, Measured what, const TableReading
     return read_two_columns(text, rule, reading.layout, reading.columns);
 }
 
-Cycle read_cycle(std::string_view text, Measured what, const TableReading& reading) {
-    return to_cycle(read_columns(text, what, reading), what, reading);
-}
-
 }  // namespace
 
-ParsedTorqueTable parse_torque_table(std::string_view text, const TableReading& reading) {
-    Cycle cycle = read_cycle(text, Measured::torque, reading);
-    return {cycle.format, {std::move(cycle.rows.angle), std::move(cycle.rows.value)}};
-}
-
-ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReading& reading) {
-    Cycle cycle = read_cycle(text, Measured::pressure, reading);
-    return {cycle.format,
-            {std::move(cycle.rows.angle), std::move(cycle.rows.value), cycle.format.unit,
-             cycle.format.unit_named}};
+ParsedCycle parse_cycle(Measured what, std::string_view text, const TableReading& reading) {
+    return to_cycle(read_columns(text, what, reading), what, reading);
 }
 
 Message assumed_unit_note(const Unit& unit) {
@@ -675,7 +649,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         }
     }
     try {
-        const TableFormat format = to_cycle(std::move(chosen), what, reading).format;
+        const TableFormat format = to_cycle(std::move(chosen), what, reading);
         reading.in_radians = format.in_radians;
         reading.strokes = format.strokes;
     } catch (const InputError& error) {

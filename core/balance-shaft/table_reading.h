@@ -57,34 +57,30 @@ struct TableFormat {
     Message describe() const;
 };
 
-struct ParsedTorqueTable : TableFormat {
+/// What a file has of the two.
+struct ParsedCycle : TableFormat {
     TorqueTable table;
-};
-
-struct ParsedPressureTrace : TableFormat {
     PressureTrace trace;
 };
 
-/// Reads a torque table from CSV text or from what a spreadsheet puts on the clipboard.
+/// Reads one cycle from CSV text or from what a spreadsheet puts on the clipboard.
 ///
-/// Two columns, crank angle and torque, or those that the reading names (read_two_columns()).
+/// Two columns, crank angle and value, or those that the reading names (read_two_columns()).
 /// Angles in degrees or radians: the header says which ("rad", "deg", "°"), else the span (720,
 /// 360, 4π or 2π within 0.1 %). A span of 360° is the cycle of a two-stroke engine. Angles may
 /// begin anywhere, and may begin again at each turn or cycle. A file of more than one cycle is
 /// averaged over its whole cycles, at the angles of the first; the strokes tell how long one is,
 /// else the values themselves. Torques in N·m, or in what the heading names: kN·m, lbf·ft, lbf·in.
+///
+/// The unit of a pressure is what the heading names ("Pa", "kPa", "MPa", "bar", "mbar", "psi"),
+/// else what the size of the numbers suggests; a heading that names gauge pressure ("bar(g)",
+/// "gauge") is believed, too. A cycle that lacks its last row is closed, and one whose end differs
+/// from its start by at most 2 % of the peak (a measured trace always does) is made to meet it half
+/// way.
 /// @throws InputError that names line and column ("line 4, column 2"), or the row for a table that
 ///         is not one cycle: unsorted, duplicate angle, too few rows or more than
 ///         largest_torque_table, end that differs from start
-ParsedTorqueTable parse_torque_table(std::string_view text, const TableReading& reading = {});
-
-/// Reads a measured pressure trace the same way. The unit is what the heading names ("Pa", "kPa",
-/// "MPa", "bar", "mbar", "psi"), else what the size of the numbers suggests; a heading that names
-/// gauge pressure ("bar(g)", "gauge") is believed, too. A cycle that lacks its last row is closed,
-/// and one whose end differs from its start by at most 2 % of the peak (a measured trace always
-/// does) is made to meet it half way.
-/// @throws InputError as parse_torque_table()
-ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReading& reading = {});
+ParsedCycle parse_cycle(Measured what, std::string_view text, const TableReading& reading = {});
 
 /// Of values without a unit: N·m, or what makes pressures an engine's: about an atmosphere where
 /// the gas is exchanged (a fifth of the values are lower), or by the peak where that is the zero.

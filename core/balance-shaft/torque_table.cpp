@@ -1,6 +1,5 @@
 #include "balance-shaft/torque_table.h"
 
-#include "balance-shaft/cycle_rows.h"
 #include "balance-shaft/fields.h"
 #include "case-file/decimal.h"
 #include "numerics/constants.h"

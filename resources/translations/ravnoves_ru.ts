@@ -1661,10 +1661,6 @@
         <translation>углы должны охватывать 720° (или 360°, в радианах 4π или 2π), последняя строка повторяет первую</translation>
     </message>
     <message>
-        <source>the angles of neighbouring rows are too close together</source>
-        <translation>углы соседних строк слишком близки</translation>
-    </message>
-    <message>
         <source>must be at least %1 more than the angle of the row before, %2</source>
         <translation>должно быть больше угла предыдущей строки, %2, не меньше чем на %1</translation>
     </message>

@@ -15,16 +15,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace ravnoves;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     try {
-        const auto table = balance_shaft::parse_torque_table(text).table;
-        if (!(balance_shaft::parse_torque_table(balance_shaft::write_torque_table(table)).table ==
-              table)) {
+        const auto table = balance_shaft::parse_cycle(balance_shaft::Measured::torque, text).table;
+        if (!(balance_shaft::parse_cycle(balance_shaft::Measured::torque,
+                                         balance_shaft::write_torque_table(table))
+                  .table == table)) {
             std::abort();
         }
     } catch (const InputError&) {
         // rejected in words
     }
     try {
-        const auto trace = balance_shaft::parse_pressure_trace(text).trace;
+        const auto trace =
+            balance_shaft::parse_cycle(balance_shaft::Measured::pressure, text).trace;
         balance_shaft::check_pressure_trace(trace, "");
     } catch (const InputError&) {
         // rejected in words
@@ -35,7 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         balance_shaft::TableReading reading;
         reading.columns = {angle, value};
         try {
-            const auto table = balance_shaft::parse_torque_table(text, reading).table;
+            const auto table =
+                balance_shaft::parse_cycle(balance_shaft::Measured::torque, text, reading).table;
             balance_shaft::check_torque_table(table, "");
         } catch (const InputError&) {
             // rejected in words
@@ -46,8 +49,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             const auto proposal = balance_shaft::propose_reading(text, what);
             // What is proposed without a doubt about the rows is what the reader takes.
             if (proposal.reading.strokes && what == balance_shaft::Measured::pressure) {
-                const auto trace =
-                    balance_shaft::parse_pressure_trace(text, proposal.reading).trace;
+                const auto trace = balance_shaft::parse_cycle(balance_shaft::Measured::pressure,
+                                                              text, proposal.reading)
+                                       .trace;
                 balance_shaft::check_pressure_trace(trace, "");
                 balance_shaft::find_dead_centre({0.046, 0.150, 0.0}, trace);
             }

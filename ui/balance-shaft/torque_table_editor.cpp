@@ -65,8 +65,8 @@ void TorqueTableEditor::importFile(const QString& path) {
     file.open(path);
     ImportDialog dialog(&file, tr("Import torque table"), this);
     if (dialog.exec() == QDialog::Accepted) {
-        table_->replaceBy(file.torque()->table);
-        say(tr("Read %1.").arg(messageText(file.torque()->describe())), false);
+        table_->replaceBy(file.cycle()->table);
+        say(tr("Read %1.").arg(messageText(file.cycle()->describe())), false);
     }
 }
 

@@ -325,8 +325,9 @@ TEST(ComputedTorque, ExtremeFiniteCyclesGiveNumbersOrWords) {
     EXPECT_GT(solved, 50);
 }
 
-TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
-    const auto read = parse_pressure_trace("deg;MPa\n0;0,1\n180;0,1\n360;6\n540;0,3\n720;0,102\n");
+TEST(ParsedCycle, KnowsUnitsAndClosesTheCycle) {
+    const auto read =
+        parse_cycle(Measured::pressure, "deg;MPa\n0;0,1\n180;0,1\n360;6\n540;0,3\n720;0,102\n");
     EXPECT_EQ(read.unit, units::MPa);
     EXPECT_TRUE(read.closed);
     EXPECT_NEAR(read.trace.pressure[2], 6e6, 1e-6);
@@ -335,31 +336,35 @@ TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
     EXPECT_EQ(read.describe().english(),
               "5 rows, separated by semicolons, decimal comma, angles in degrees, with a header, "
               "pressure in MPa, end joined to the start");
-    const auto open = parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n");
+    const auto open = parse_cycle(Measured::pressure, "0 1\n180 1\n360 60\n540 3\n");
     EXPECT_EQ(open.unit, units::bar);
     EXPECT_FALSE(open.unit_named);
     EXPECT_TRUE(read.unit_named);
-    EXPECT_TRUE(parse_pressure_trace("°;бар\n0;1\n180;1\n360;60\n540;3\n720;1\n").unit_named);
+    EXPECT_TRUE(
+        parse_cycle(Measured::pressure, "°;бар\n0;1\n180;1\n360;60\n540;3\n720;1\n").unit_named);
     EXPECT_NE(open.describe().english().find(
                   "pressure assumed in bar, without a known unit in the heading"),
               std::string::npos);
-    EXPECT_EQ(parse_pressure_trace("°;mbar\n0;1\n180;1\n360;60\n540;3\n720;1\n").unit, units::mbar);
+    EXPECT_EQ(parse_cycle(Measured::pressure, "°;mbar\n0;1\n180;1\n360;60\n540;3\n720;1\n").unit,
+              units::mbar);
     for (const char* heading : {"°;bar(g)", "deg;barg", "angle;gauge pressure, bar"}) {
-        const auto gauge =
-            parse_pressure_trace(std::string(heading) + "\n0;0\n180;0\n360;59\n540;2\n720;0\n");
+        const auto gauge = parse_cycle(
+            Measured::pressure, std::string(heading) + "\n0;0\n180;0\n360;59\n540;2\n720;0\n");
         EXPECT_TRUE(gauge.gauge) << heading;
         EXPECT_EQ(gauge.unit, units::bar) << heading;
         EXPECT_NEAR(gauge.trace.pressure[2], 60.01325e5, 1e-6) << heading;
     }
     EXPECT_EQ(open.trace.crank_angle_deg.back(), 720.0);
     EXPECT_EQ(open.trace.pressure.back(), 1e5);
-    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n720 9\n"); }),
-              "line 5, column 2: must equal the first pressure, 1 bar, since the cycle repeats, "
-              "got 9 bar");
-    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1\n180 -1\n360 60\n540 3\n720 1\n"); }),
-              "line 2, column 2: must be from 0 to 100000; for gauge pressure set \"gauge\": true, "
-              "got -1");
-    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1 2\n"); }),
+    EXPECT_EQ(
+        error_of([] { parse_cycle(Measured::pressure, "0 1\n180 1\n360 60\n540 3\n720 9\n"); }),
+        "line 5, column 2: must equal the first pressure, 1 bar, since the cycle repeats, "
+        "got 9 bar");
+    EXPECT_EQ(
+        error_of([] { parse_cycle(Measured::pressure, "0 1\n180 -1\n360 60\n540 3\n720 1\n"); }),
+        "line 2, column 2: must be from 0 to 100000; for gauge pressure set \"gauge\": true, "
+        "got -1");
+    EXPECT_EQ(error_of([] { parse_cycle(Measured::pressure, "0 1 2\n"); }),
               "line 1: must have two columns, crank angle and pressure, or the case must name two "
               "of them in \"columns\", got 3 columns");
 }

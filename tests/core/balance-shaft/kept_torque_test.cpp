@@ -44,12 +44,13 @@ TEST(KeptTorque, EverySourceComesBackWhicheverIsInUse) {
         file.sum_then = file.sum_now = sha256(text);
         return text;
     };
-    input.torque.trace = parse_pressure_trace(read("trace.csv", input.torque.trace_file)).trace;
+    input.torque.trace =
+        parse_cycle(Measured::pressure, read("trace.csv", input.torque.trace_file)).trace;
     for (const Kind kind : {Kind::table, Kind::pressure, Kind::cycle}) {
         input.torque.kind = kind;
         EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);
     }
-    input.torque.table = parse_torque_table(read("table.csv", input.torque.csv)).table;
+    input.torque.table = parse_cycle(Measured::torque, read("table.csv", input.torque.csv)).table;
     for (const Kind kind : {Kind::csv, Kind::pressure, Kind::cycle}) {
         input.torque.kind = kind;
         EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);

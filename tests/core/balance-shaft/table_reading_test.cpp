@@ -154,8 +154,8 @@ TEST(TableReading, FilesAsTheyComeHaveTheRightWork) {
         }
         EXPECT_EQ(proposal.reading.gauge, written.gauge);
         EXPECT_EQ(proposal.reading.unit, written.unit);
-        ParsedPressureTrace read;
-        ASSERT_NO_THROW(read = parse_pressure_trace(text, proposal.reading));
+        ParsedCycle read;
+        ASSERT_NO_THROW(read = parse_cycle(Measured::pressure, text, proposal.reading));
         EXPECT_EQ(read.cycles, static_cast<std::size_t>(written.cycles));
         EXPECT_EQ(read.strokes, engine.strokes);
         const double work =
@@ -176,7 +176,7 @@ TEST(TableReading, RowsThatDoNotDivideTheCycleAreAveragedToo) {
         const auto at = static_cast<std::size_t>(std::llround((angle + 360.0) * 10.0)) % 7200;
         text += cell_text(angle, false) + ";" + cell_text(pressure[at] / 1e5, false) + "\n";
     }
-    const auto read = parse_pressure_trace(text);
+    const auto read = parse_cycle(Measured::pressure, text);
     EXPECT_EQ(read.cycles, 10U);
     EXPECT_EQ(read.strokes, 4);
     EXPECT_NEAR(work_of(engine, read.trace),
@@ -187,7 +187,7 @@ TEST(TableReading, RowsThatDoNotDivideTheCycleAreAveragedToo) {
         coarse += cell_text(28.0 * i, false) + ";" + (i == 13 ? "40" : "1") + "\n";
     }
     coarse += "720;1\n";
-    EXPECT_EQ(parse_pressure_trace(coarse).trace.pressure[13], 40e5);
+    EXPECT_EQ(parse_cycle(Measured::pressure, coarse).trace.pressure[13], 40e5);
 }
 
 TEST(TableReading, ProposesWhatANumberLooksLike) {
@@ -287,35 +287,37 @@ TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
 TEST(TableReading, CyclesOfATwoStrokeAreReportedByTheirValues) {
     const SyntheticEngine two = test::synthetic_engines()[10];
     ASSERT_EQ(two.strokes, 2);
-    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 6})).strokes, 2);
-    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 6})).cycles, 6U);
+    EXPECT_EQ(parse_cycle(Measured::pressure, file_as(two, {.cycles = 6})).strokes, 2);
+    EXPECT_EQ(parse_cycle(Measured::pressure, file_as(two, {.cycles = 6})).cycles, 6U);
     const SyntheticEngine four = test::synthetic_engines()[0];
-    EXPECT_EQ(parse_pressure_trace(file_as(four, {.cycles = 3})).cycles, 3U);
+    EXPECT_EQ(parse_cycle(Measured::pressure, file_as(four, {.cycles = 3})).cycles, 3U);
     // 720° are a four-stroke cycle, unless both turns are the same and the case says two strokes.
     TableReading strokes;
     strokes.strokes = 2;
-    EXPECT_EQ(parse_pressure_trace(file_as(four, {}), strokes).strokes, 4);
-    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 2}), strokes).cycles, 2U);
-    EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 2})).strokes, 4);
+    EXPECT_EQ(parse_cycle(Measured::pressure, file_as(four, {}), strokes).strokes, 4);
+    EXPECT_EQ(parse_cycle(Measured::pressure, file_as(two, {.cycles = 2}), strokes).cycles, 2U);
+    EXPECT_EQ(parse_cycle(Measured::pressure, file_as(two, {.cycles = 2})).strokes, 4);
     // What is behind the last whole cycle is left out.
     const std::string whole = file_as(four, {.cycles = 2});
-    const auto part = parse_pressure_trace(whole.substr(0, whole.size() - whole.size() / 8));
+    const auto part =
+        parse_cycle(Measured::pressure, whole.substr(0, whole.size() - whole.size() / 8));
     EXPECT_EQ(part.cycles, 1U);
     EXPECT_GT(part.left_over / degree, 300.0);
     EXPECT_NE(part.describe().english().find(" at the end left out"), std::string::npos);
 }
 
 TEST(TableReading, ATraceReadsBackAsItIsWritten) {
-    const auto read = parse_pressure_trace("deg;bar\n0;1\n180;1.5\n360;60\n540;3\n720;1\n");
-    EXPECT_EQ(parse_pressure_trace(write_pressure_trace(read.trace)).trace, read.trace);
+    const auto read =
+        parse_cycle(Measured::pressure, "deg;bar\n0;1\n180;1.5\n360;60\n540;3\n720;1\n");
+    EXPECT_EQ(parse_cycle(Measured::pressure, write_pressure_trace(read.trace)).trace, read.trace);
 }
 
 // A row that repeats the instant before is none: what is left may be no table.
 TEST(TableReading, RowsAreCountedWithoutThoseThatRepeat) {
     const std::string text = "deg,bar\n0,1\n-360,2\n-720,1\n";
-    EXPECT_EQ(test::error_of([&] { parse_torque_table(text); }),
+    EXPECT_EQ(test::error_of([&] { parse_cycle(Measured::torque, text); }),
               "the torque table must have at least 3 rows, got 1");
-    EXPECT_EQ(test::error_of([&] { parse_pressure_trace(text); }),
+    EXPECT_EQ(test::error_of([&] { parse_cycle(Measured::pressure, text); }),
               "the pressure table must have at least 3 rows, got 1");
     for (const Measured what : {Measured::torque, Measured::pressure}) {
         const auto proposal = propose_reading(text, what);
@@ -356,7 +358,7 @@ TEST(TableReading, UnitsOfTorqueAreWholeWords) {
                     {"M", {}}};
     for (const auto& [heading, unit] : headings) {
         const std::string text = "deg;" + std::string(heading) + "\n0;1\n180;2\n720;1\n";
-        const auto read = parse_torque_table(text);
+        const auto read = parse_cycle(Measured::torque, text);
         EXPECT_EQ(read.unit_named, unit.has_value()) << heading;
         EXPECT_EQ(read.unit, unit.value_or(units::N_m)) << heading;
         EXPECT_EQ(read.table.torque[0], unit.value_or(units::N_m).to_si) << heading;
@@ -372,7 +374,7 @@ TEST(TableReading, UnitsOfTorqueAreWholeWords) {
     EXPECT_NEAR(units::lbf_in.to_si, 0.1129848290276167, 1e-14);
     EXPECT_EQ(units::kN_m.to_si, 1000.0);
     // Without words above the rows there is nothing to doubt.
-    EXPECT_EQ(parse_torque_table("0;1\n180;2\n720;1\n").describe().english(),
+    EXPECT_EQ(parse_cycle(Measured::torque, "0;1\n180;2\n720;1\n").describe().english(),
               "3 rows, separated by semicolons, angles in degrees");
 }
 
@@ -413,11 +415,12 @@ TEST(TableReading, RowsWithoutAnglesAreEqualStepsOfATorqueToo) {
     TableReading reading;
     reading.columns = {"0", "1"};
     const TorqueTable table{{0, 240, 480, 720}, {1, 2, 3, 1}};
-    EXPECT_EQ(parse_torque_table("1\n2\n3\n1\n", reading).table, table);  // with a closing row
-    EXPECT_EQ(parse_torque_table("1\n2\n3\n", reading).table, table);
+    EXPECT_EQ(parse_cycle(Measured::torque, "1\n2\n3\n1\n", reading).table,
+              table);  // with a closing row
+    EXPECT_EQ(parse_cycle(Measured::torque, "1\n2\n3\n", reading).table, table);
     reading.columns = {"0", "2"};
     reading.strokes = 2;
-    EXPECT_EQ(parse_torque_table("7;1\n7;2\n7;3\n7;1\n", reading).table,
+    EXPECT_EQ(parse_cycle(Measured::torque, "7;1\n7;2\n7;3\n7;1\n", reading).table,
               (TorqueTable{{0, 120, 240, 360}, {1, 2, 3, 1}}));
 }
 
@@ -434,8 +437,9 @@ TEST(TableReading, TracesOfFineStepsThatLackTheirLastRowAreClosedNotStretched) {
                     text += cell_text(180.0 * engine.strokes, false) + ";" +
                             cell_text(exact.pressure.front() / 1e5, false) + "\n";
                 }
-                ParsedPressureTrace read;
-                ASSERT_EQ(test::error_of([&] { read = parse_pressure_trace(text); }), "no error");
+                ParsedCycle read;
+                ASSERT_EQ(test::error_of([&] { read = parse_cycle(Measured::pressure, text); }),
+                          "no error");
                 EXPECT_EQ(read.closed, !is_closed);
                 ASSERT_EQ(read.trace.pressure.size(), exact.pressure.size());
                 double largest = 0.0;
@@ -454,9 +458,10 @@ TEST(TableReading, TracesOfFineStepsThatLackTheirLastRowAreClosedNotStretched) {
     for (int i = 0; i < 7200; ++i) {
         text += cell_text(0.1 * i, false) + ";" + cell_text(2.0 + i / 7200.0, false) + "\n";
     }
-    EXPECT_EQ(
-        test::error_of([&] { EXPECT_EQ(parse_pressure_trace(text).trace.pressure.size(), 7201U); }),
-        "no error");
+    EXPECT_EQ(test::error_of([&] {
+                  EXPECT_EQ(parse_cycle(Measured::pressure, text).trace.pressure.size(), 7201U);
+              }),
+              "no error");
 }
 
 TEST(TableReading, StepsThatDoNotDivideTheChosenCycleEndWithinTheLast) {
@@ -464,15 +469,15 @@ TEST(TableReading, StepsThatDoNotDivideTheChosenCycleEndWithinTheLast) {
     for (int angle = 0; angle <= 700; angle += 28) {
         csv += std::to_string(angle) + ";" + std::to_string(angle == 364 ? 50 : 1) + "\n";
     }
-    EXPECT_THROW(parse_pressure_trace(csv), InputError);
+    EXPECT_THROW(parse_cycle(Measured::pressure, csv), InputError);
     TableReading reading;
     reading.strokes = 4;
-    const PressureTrace trace = parse_pressure_trace(csv, reading).trace;
+    const PressureTrace trace = parse_cycle(Measured::pressure, csv, reading).trace;
     EXPECT_EQ(trace.crank_angle_deg.size(), 27U);
     EXPECT_EQ(trace.crank_angle_deg.back(), 720.0);
     EXPECT_EQ(trace.pressure.back(), trace.pressure.front());
     csv.resize(csv.find("672;"));  // two steps are missing
-    EXPECT_THROW(parse_pressure_trace(csv, reading), InputError);
+    EXPECT_THROW(parse_cycle(Measured::pressure, csv, reading), InputError);
 }
 
 TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {
@@ -482,8 +487,9 @@ TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {
     }
     TableReading reading;
     reading.strokes = 2;
-    ParsedTorqueTable read;
-    ASSERT_EQ(test::error_of([&] { read = parse_torque_table(text, reading); }), "no error");
+    ParsedCycle read;
+    ASSERT_EQ(test::error_of([&] { read = parse_cycle(Measured::torque, text, reading); }),
+              "no error");
     EXPECT_EQ(read.cycles, 3U);
     EXPECT_EQ(read.strokes, 2);
     ASSERT_EQ(read.table.torque.size(), 37U);
@@ -499,8 +505,9 @@ TEST(TableReading, AFirstCycleOfManyRowsBeforeManyOfFewIsRejectedAtOnce) {
     for (int i = 1; i < 200'000; ++i) {
         text += std::to_string(700 + 100 * i) + ";1\n";
     }
-    EXPECT_NE(test::error_of([&] { parse_torque_table(text); }).find("at most 20000 rows"),
-              std::string::npos);
+    EXPECT_NE(
+        test::error_of([&] { parse_cycle(Measured::torque, text); }).find("at most 20000 rows"),
+        std::string::npos);
 }
 
 TEST(TableReading, AProposalDecidesNoDecimalSign) {

@@ -12,10 +12,10 @@ using test::error_of;
 const TorqueTable small{{0, 180, 360, 540, 720}, {0, -90.5, 893, 30, 0}};
 
 std::string rejection_of_text(const std::string& text) {
-    return error_of([&] { parse_torque_table(text); });
+    return error_of([&] { parse_cycle(Measured::torque, text); });
 }
 
-TEST(ParsedTorqueTable, ReadsEverySeparatorAndDecimalSign) {
+TEST(ParsedCycle, ReadsEverySeparatorAndDecimalSign) {
     const std::vector<std::string> texts = {
         "0,0\n180,-90.5\n360,893\n540,30\n720,0\n",
         "0, 0\n180, -90.5\n360, 893\n540, 30\n720, 0\n",
@@ -30,18 +30,19 @@ TEST(ParsedTorqueTable, ReadsEverySeparatorAndDecimalSign) {
         "0;0\r180;-90,5\r360;893\r540;30\r720;0",
     };
     for (const std::string& text : texts) {
-        EXPECT_EQ(error_of([&] { EXPECT_EQ(parse_torque_table(text).table, small) << text; }),
-                  "no error")
+        EXPECT_EQ(
+            error_of([&] { EXPECT_EQ(parse_cycle(Measured::torque, text).table, small) << text; }),
+            "no error")
             << text;
     }
-    EXPECT_EQ(parse_torque_table(texts[6]).describe().english(),
+    EXPECT_EQ(parse_cycle(Measured::torque, texts[6]).describe().english(),
               "5 rows, separated by semicolons, angles in degrees, with a header");
-    EXPECT_EQ(parse_torque_table(texts[3]).describe().english(),
+    EXPECT_EQ(parse_cycle(Measured::torque, texts[3]).describe().english(),
               "5 rows, separated by tabs, decimal comma, angles in degrees");
 }
 
-TEST(ParsedTorqueTable, ReadsOneTurnAsTheCycleOfATwoStroke) {
-    const auto read = parse_torque_table("0;1\n90;2\n180;3\n360;1\n");
+TEST(ParsedCycle, ReadsOneTurnAsTheCycleOfATwoStroke) {
+    const auto read = parse_cycle(Measured::torque, "0;1\n90;2\n180;3\n360;1\n");
     EXPECT_EQ(read.strokes, 2);
     EXPECT_EQ(read.table, (TorqueTable{{0, 90, 180, 360}, {1, 2, 3, 1}}));
     EXPECT_EQ(read.describe().english(),
@@ -49,31 +50,35 @@ TEST(ParsedTorqueTable, ReadsOneTurnAsTheCycleOfATwoStroke) {
               "engine");
 }
 
-TEST(ParsedTorqueTable, KnowsRadians) {
-    const auto by_span = parse_torque_table("0;1\n3.14159265;2\n6.28319;3\n12.56637;1\n");
+TEST(ParsedCycle, KnowsRadians) {
+    const auto by_span =
+        parse_cycle(Measured::torque, "0;1\n3.14159265;2\n6.28319;3\n12.56637;1\n");
     EXPECT_TRUE(by_span.in_radians);
     EXPECT_EQ(by_span.strokes, 4);
     EXPECT_NEAR(by_span.table.crank_angle_deg[1], 180.0, 1e-6);
     EXPECT_EQ(by_span.table.crank_angle_deg.back(), 720.0);
-    const auto one_turn = parse_torque_table("angle, rad;torque\n0;1\n3.14159;2\n6.28319;1\n");
+    const auto one_turn =
+        parse_cycle(Measured::torque, "angle, rad;torque\n0;1\n3.14159;2\n6.28319;1\n");
     EXPECT_TRUE(one_turn.in_radians && one_turn.strokes == 2);
     EXPECT_EQ(one_turn.table.crank_angle_deg.back(), 360.0);
-    EXPECT_TRUE(parse_torque_table("угол, рад;M\n0;1\n3.14159;2\n6.28319;1\n").in_radians);
+    EXPECT_TRUE(
+        parse_cycle(Measured::torque, "угол, рад;M\n0;1\n3.14159;2\n6.28319;1\n").in_radians);
     // The header and the span must agree.
     EXPECT_EQ(rejection_of_text("phi [rad];M\n0;1\n180;2\n720;1\n"),
               "line 4, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the "
               "last row repeating the first, got 720 rad");
     EXPECT_NE(rejection_of_text("phi [deg];M\n0;1\n3.14159;2\n6.28319;1\n"), "no error");
     // Not a unit: "radius", "grad".
-    EXPECT_FALSE(parse_torque_table("crank radius 46;M\n0;1\n180;2\n720;1\n").in_radians);
+    EXPECT_FALSE(
+        parse_cycle(Measured::torque, "crank radius 46;M\n0;1\n180;2\n720;1\n").in_radians);
 }
 
-TEST(ParsedTorqueTable, KeepsAnyStartOfTheCycle) {
-    const auto read = parse_torque_table("-360;5\n0;7\n360;5\n");
+TEST(ParsedCycle, KeepsAnyStartOfTheCycle) {
+    const auto read = parse_cycle(Measured::torque, "-360;5\n0;7\n360;5\n");
     EXPECT_EQ(read.table, (TorqueTable{{-360, 0, 360}, {5, 7, 5}}));
 }
 
-TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
+TEST(ParsedCycle, ErrorsNameLineAndColumn) {
     const std::string two_columns = "line 3: must have two columns, crank angle and torque";
     const std::string no_rows = "the torque table must have at least 3 rows, got 0";
     const std::pair<std::string, std::string> cases[] = {
@@ -134,7 +139,7 @@ TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
     EXPECT_NE(rejection_of_text("just\nsome\nprose\n"), "no error");
 }
 
-TEST(ParsedTorqueTable, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
+TEST(ParsedCycle, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
     EXPECT_EQ(
         rejection_of_text("0\t-81.5\n360\t1,893\n720\t-81.5\n"),
         "line 2, column 2: must have the decimal sign of the numbers above: all points or all "
@@ -152,10 +157,10 @@ TEST(ParsedTorqueTable, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
     EXPECT_EQ(rejection_of_text("0\t-81\n180\t12,5\n360\t1,893\n720\t-81\n"), "no error");
 }
 
-TEST(ParsedTorqueTable, TwentyThousandRowsAreReadAndMoreAreRejected) {
+TEST(ParsedCycle, TwentyThousandRowsAreReadAndMoreAreRejected) {
     const TorqueTable table = test::random_table(7, largest_torque_table);
     std::string text = write_torque_table(table);
-    EXPECT_EQ(parse_torque_table(text).table, table);
+    EXPECT_EQ(parse_cycle(Measured::torque, text).table, table);
     text = write_torque_table(test::random_table(7, largest_torque_table + 1));
     EXPECT_EQ(rejection_of_text(text),
               "a cycle must have at most 20000 rows: use larger steps, got 20001");

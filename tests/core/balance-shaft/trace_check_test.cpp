@@ -37,7 +37,7 @@ Input traced(const Input& computed, const Written& written) {
     }
     Input input = computed;
     input.torque.kind = TorqueSource::Kind::pressure;
-    input.torque.trace = parse_pressure_trace(csv).trace;
+    input.torque.trace = parse_cycle(Measured::pressure, csv).trace;
     return input;
 }
 

@@ -179,7 +179,7 @@ TEST_F(ErrorText, OfABadTableIsRussian) {
           "0;1\n400;2\n300;3\n720;1\n", "0;1\n360;2\n720;9\n", "0;1\n100;2\n300;1\n",
           "0,5,1,5\n1,5,2,5\n", "1\x01\n", "200000;1\n0;1\n1;1\n"}) {
         try {
-            balance_shaft::parse_torque_table(text);
+            balance_shaft::parse_cycle(balance_shaft::Measured::torque, text);
             ADD_FAILURE() << "taken: " << text;
         } catch (const InputError& error) {
             SCOPED_TRACE(error.what());

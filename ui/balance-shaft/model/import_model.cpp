@@ -89,11 +89,9 @@ ImportModel::Look ImportModel::lookAt(const std::string& text, Measured what,
         if (!continues(0.4)) {
             return look;
         }
-        if (what == Measured::torque) {
-            look.torque = parse_torque_table(text, look.proposal.reading);
-        } else {
-            look.pressure = parse_pressure_trace(text, look.proposal.reading);
-            look.deadCentre = find_dead_centre(crank, look.pressure->trace);
+        look.cycle = parse_cycle(what, text, look.proposal.reading);
+        if (what == Measured::pressure) {
+            look.deadCentre = find_dead_centre(crank, look.cycle->trace);
             if (continues(0.7)) {
                 chooseKept(text, look);
             }
@@ -117,7 +115,7 @@ void ImportModel::chooseKept(const std::string& text, Look& look) {
     const auto isSame = [&](TableReading tried) {
         tried.strokes = reading.strokes;  // of the case
         try {
-            return parse_pressure_trace(text, tried).trace == look.pressure->trace;
+            return parse_cycle(Measured::pressure, text, tried).trace == look.cycle->trace;
         } catch (const InputError&) {
             return false;
         }
@@ -147,29 +145,21 @@ QString ImportModel::heading(int column) const {
                                    : QString();
 }
 
-const balance_shaft::TableFormat* ImportModel::format() const {
-    if (look_.torque) {
-        return &*look_.torque;
-    }
-    return look_.pressure ? &*look_.pressure : nullptr;
-}
-
 std::optional<bool> ImportModel::decimalComma() const {
-    return format() != nullptr ? std::optional(format()->decimal_comma)
-                               : decided_.layout.decimal_comma;
+    return look_.cycle ? std::optional(look_.cycle->decimal_comma) : decided_.layout.decimal_comma;
 }
 
 bool ImportModel::asksForCycle() const {
-    return format() != nullptr && format()->strokes != strokes_ &&
-           format()->strokes != decided_.strokes;
+    return look_.cycle && look_.cycle->strokes != strokes_ &&
+           look_.cycle->strokes != decided_.strokes;
 }
 
 bool ImportModel::isReady() const {
-    return format() != nullptr && !asksForCycle() && !job_->isRunning();
+    return look_.cycle && !asksForCycle() && !job_->isRunning();
 }
 
 QString ImportModel::understoodText() const {
-    return format() != nullptr ? messageText(format()->describe()) + QLatin1Char('.') : QString();
+    return look_.cycle ? messageText(look_.cycle->describe()) + QLatin1Char('.') : QString();
 }
 
 QString ImportModel::troubleText() const {
@@ -220,11 +210,11 @@ bool ImportModel::isShifted() const {
 }
 
 QString ImportModel::writeOwnFile(const QString& path) {
-    const std::string text = write_pressure_trace(look_.pressure->trace);
+    const std::string text = write_pressure_trace(look_.cycle->trace);
     QString why = writeFile(path, [&] { return text; });
     if (why.isEmpty()) {
         path_ = path;
-        look_.pressure->trace = balance_shaft::parse_pressure_trace(text).trace;
+        look_.cycle->trace = balance_shaft::parse_cycle(Measured::pressure, text).trace;
         look_.kept = {};
         look_.needsOwnFile = false;
         look_.sum = sha256(text);
@@ -235,7 +225,7 @@ QString ImportModel::writeOwnFile(const QString& path) {
 void ImportModel::putTraceInto(balance_shaft::Input& input) const {
     balance_shaft::TorqueSource& torque = input.torque;
     torque.kind = balance_shaft::TorqueSource::Kind::pressure;
-    torque.trace = look_.pressure->trace;
+    torque.trace = look_.cycle->trace;
     torque.trace_file = {path_.toStdString(), look_.sum, look_.sum, look_.kept};
     constexpr int decimals = 2;  // as it is proposed
     torque.trace_shift =

@@ -77,7 +77,7 @@ class ImportModel : public QObject {
     /// @return empty, or what went wrong
     QString writeOwnFile(const QString& path);
 
-    const std::optional<balance_shaft::ParsedTorqueTable>& torque() const { return look_.torque; }
+    const std::optional<balance_shaft::ParsedCycle>& cycle() const { return look_.cycle; }
     /// Puts the pressure trace into an input; its cylinder becomes the present engine's.
     void putTraceInto(balance_shaft::Input& input) const;
 
@@ -91,8 +91,7 @@ class ImportModel : public QObject {
         std::vector<std::vector<std::string>> lines;
         int columns = 0;
         std::optional<InputError> trouble;
-        std::optional<balance_shaft::ParsedTorqueTable> torque;
-        std::optional<balance_shaft::ParsedPressureTrace> pressure;
+        std::optional<balance_shaft::ParsedCycle> cycle;
         std::optional<balance_shaft::DeadCentre> deadCentre;
         balance_shaft::TableReading kept;  ///< what the case says of the file
         bool needsOwnFile = false;
@@ -106,7 +105,6 @@ class ImportModel : public QObject {
                        const std::function<bool(double)>& continues);
     static void chooseKept(const std::string& text, Look& look);
     void start();
-    const balance_shaft::TableFormat* format() const;
 
     balance_shaft::Measured what_;
     SliderCrank<double> crank_;

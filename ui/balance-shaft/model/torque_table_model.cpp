@@ -221,7 +221,8 @@ void TorqueTableModel::removeRowRange(int first, int count) {
 }
 
 QString TorqueTableModel::replaceByText(const std::string& text) {
-    balance_shaft::ParsedTorqueTable read = balance_shaft::parse_torque_table(text);
+    balance_shaft::ParsedCycle read =
+        balance_shaft::parse_cycle(balance_shaft::Measured::torque, text);
     if (!read.unit_named) {
         read.unit = shownAs(units::N_m);
         for (double& torque : read.table.torque) {
