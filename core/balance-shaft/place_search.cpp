@@ -37,23 +37,14 @@ class Search {
     }
 
     std::optional<PlaceFound> run() {
-        double distance = std::min(places_.farthest(), 4.0 * places_.extent());
-        if (best_.value < infinite) {
-            distance = std::min(places_.farthest(), enough());
-        }
+        const double start = best_.value < infinite ? enough() : 400.0 * places_.extent();
+        const double distance = std::min(places_.farthest(), start);
         search(distance);
         // Where the best is not known to lie within, it does within what the best found leaves.
-        if (best_.value == infinite && distance < places_.farthest()) {
-            distance = std::min(places_.farthest(), 400.0 * places_.extent());
-            search(distance);
-        }
         if (best_.value < infinite && std::min(places_.farthest(), enough()) > distance) {
             search(std::min(places_.farthest(), enough()));
         }
-        if (best_.value == infinite) {
-            return std::nullopt;
-        }
-        return best_;
+        return best_.value < infinite ? std::optional(best_) : std::nullopt;
     }
 
   private:
@@ -62,21 +53,14 @@ class Search {
         return (best_.value + question_.at_crank) / question_.growth * (1.0 + 1e-9);
     }
 
-    const PlaceLimit* exceeded(const Place& place) const {
-        const auto found = std::ranges::find_if(question_.limits, [&](const PlaceLimit& limit) {
-            return limit.criterion(place).value > limit.maximum * (1.0 + limit_rounding);
-        });
-        return found != question_.limits.end() ? &*found : nullptr;
-    }
-
-    /// @param known  the criterion at the place, where it has been asked for
-    void offer(Place place, const PlaceValue* known = nullptr) {
-        const Place wanted = place;
-        if (!places_.make_feasible(place) || exceeded(place) != nullptr) {
+    void offer(Place place) {
+        if (!places_.make_feasible(place) ||
+            std::ranges::any_of(question_.limits, [&](const PlaceLimit& limit) {
+                return limit.criterion(place).value > limit.maximum * (1.0 + limit_rounding);
+            })) {
             return;
         }
-        const double value =
-            known && place == wanted ? known->value : question_.criterion(place).value;
+        const double value = question_.criterion(place).value;
         if (value < best_.value) {
             best_.place = place;
             best_.value = value;
@@ -120,59 +104,21 @@ class Search {
         return polygon[minimum];
     }
 
-    /// The lowest of the corners; what exceeds a limit by its curvature is cut off.
-    Place lowest_allowed(PlacePolygon polygon, const Tangent& tangent) const {
-        Place place = lowest(polygon, tangent);
-        constexpr int tries = 3;
-        for (int i = 0; i < tries; ++i) {
-            const PlaceLimit* limit = exceeded(place);
-            if (limit == nullptr) {
-                break;
-            }
-            polygon.cut(Tangent{place, limit->criterion(place)}.below(limit->maximum));
-            if (polygon.size() == 0) {
-                break;
-            }
-            place = lowest(polygon, tangent);
-        }
-        return place;
-    }
-
-    static double min_of_larger(const PlacePolygon& polygon, const Tangent& one,
-                                const Tangent& two) {
-        const Place difference = two.at.gradient - one.at.gradient;
-        // two − one ≥ 0
-        const HalfPlane beyond{difference,
-                               difference.dot(one.from) - (two(one.from) - one.at.value)};
-        PlacePolygon above = polygon;
-        above.cut(beyond);
-        PlacePolygon below = polygon;
-        below.cut({-beyond.normal, -beyond.minimum});
-        return std::min(above.size() > 0 ? two(lowest(above, two)) : infinite,
-                        below.size() > 0 ? one(lowest(below, one)) : infinite);
-    }
-
     void search(double distance) {
         best_.gap = 0.0;
-        const std::array<double, 4> region = places_.region(distance);
-        const Place lowest_corner(region[0], region[1]);
-        const Place highest_corner(region[2], region[3]);
-        if (!(region[0] <= region[2] && region[1] <= region[3])) {
+        const Eigen::AlignedBox2d region = places_.region(distance);
+        if (region.isEmpty()) {
             return;
         }
         std::vector<Part> open;
         const auto add = [&](const PlacePolygon& where, double bound) {
             if (where.size() > 0) {
-                open.push_back({where, bound, where.box().half.norm()});
+                open.push_back({where, bound, where.box().sizes().norm() / 2.0});
                 std::push_heap(open.begin(), open.end());
             }
         };
-        add(PlacePolygon(
-                {(lowest_corner + highest_corner) / 2.0, (highest_corner - lowest_corner) / 2.0}),
-            -infinite);
-        const double smallest = 1e-12 * std::max(distance, places_.extent());
-        const double small = 1e-2 * places_.extent();
-        ShaftPlaces::Cuts cuts;
+        add(PlacePolygon(region), -infinite);
+        const double smallest = std::max(1e-14 * distance, 1e-12 * places_.extent());
         // Where the best is all along an obstacle, parts along it never end: then less is asked
         // for, step by step.
         double tolerance = question_.tolerance;
@@ -199,68 +145,48 @@ class Search {
                 }
                 continue;
             }
-            const PlaceRectangle box = part.where.box();
-            places_.find_cuts(box, cuts);
-            if (cuts.is_empty || places_.is_blocked(part.where, cuts) ||
-                !cut_by_limits(box.middle, r, cuts)) {
+            const Eigen::AlignedBox2d box = part.where.box();
+            const Place centre = box.center();
+            auto cuts = places_.find_cuts(box);
+            if (!cuts || !cut_by_limits(centre, r, *cuts)) {
                 continue;
             }
             PlacePolygon all = part.where;
-            for (const HalfPlane& line : cuts.outer) {
+            for (const HalfPlane& line : cuts->outer) {
                 all.cut(line);
             }
             if (all.size() == 0) {
                 continue;
             }
-            const Tangent here{box.middle, question_.criterion(box.middle)};
-            double bound = std::max(part.bound, here(lowest(all, here)) - here.at.bend * r * r);
-            if (bound >= best_.value - tolerance) {
-                best_.gap = std::max(best_.gap, best_.value - bound);
-                continue;
+            const Tangent here{centre, question_.criterion(centre)};
+            const double bend = here.at.bend * r * r;
+            const double bound = std::max(part.bound, here(lowest(all, here)) - bend);
+            PlacePolygon surely = part.where;
+            for (const HalfPlane& line : cuts->inner) {
+                surely.cut(line);
+            }
+            offer(lowest(surely.size() > 0 ? surely : all, here));
+            if (here.at.value < best_.value) {
+                offer(centre);
             }
             // Where a tangent plane lies above the best value, no place is better.
             const double better = best_.value - tolerance;
-            all.cut(here.below(better + here.at.bend * r * r));
-            best_.gap = std::max(best_.gap, tolerance);
-            if (all.size() == 0 || places_.is_blocked(all, cuts)) {
-                continue;
-            }
-            PlacePolygon surely = part.where;
-            for (const HalfPlane& line : cuts.inner) {
-                surely.cut(line);
-            }
-            const Place candidate = lowest_allowed(surely.size() > 0 ? surely : all, here);
-            const Tangent there{candidate, question_.criterion(candidate)};
-            // What is better by the tangent plane alone can mostly not be built.
-            const double before = best_.value;
-            if (there.at.value < before && (surely.size() > 0 || before == infinite || r < small)) {
-                offer(candidate, &there.at);
-            }
-            if (cuts.outer.empty() && here.at.value < best_.value) {
-                offer(box.middle, &here.at);
-            }
-            if (here.at.bend == 0.0) {
-                // The larger of the two tangent planes, as it is on both sides of a kink.
-                bound = std::max(bound, min_of_larger(all, here, there));
-            }
-            if (bound >= best_.value - tolerance) {
-                best_.gap = std::max(best_.gap, best_.value - bound);
-                continue;
-            }
-            all.cut(there.below(best_.value - tolerance + 4.0 * there.at.bend * r * r));
-            if (all.size() == 0 || places_.is_blocked(all, cuts)) {
+            all.cut(here.below(better + bend));
+            best_.gap = std::max(best_.gap, std::min(tolerance, best_.value - bound));
+            if (all.size() == 0 || bound >= better) {
                 continue;
             }
             // What the lines leave is searched, halved across its longer side where it is large.
-            const auto& [middle, half] = all.box();
-            if (half.norm() < r / 2.0) {
+            const Eigen::AlignedBox2d left = all.box();
+            const Place sides = left.sizes();
+            if (sides.norm() < r) {
                 add(all, bound);
                 continue;
             }
-            const Place across = half.x() >= half.y() ? Place(1.0, 0.0) : Place(0.0, 1.0);
+            const Place across = sides.x() >= sides.y() ? Place(1.0, 0.0) : Place(0.0, 1.0);
             for (const double side : {-1.0, 1.0}) {
                 PlacePolygon part_of = all;
-                part_of.cut({side * across, side * across.dot(middle)});
+                part_of.cut({side * across, side * across.dot(left.center())});
                 add(part_of, bound);
             }
         }

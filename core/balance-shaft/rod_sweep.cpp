@@ -95,7 +95,7 @@ std::optional<RodSweep::Nearest> RodSweep::nearer_than(double x, double y, doubl
     }
     const double along = (x - rod.x) * rod.along_x + (y - rod.y) * rod.along_y;
     const double t = std::clamp(along * per_length2_, 0.0, 1.0);
-    const Nearest found{std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y, rod};
+    const Nearest found{std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y};
     return found.distance < needed ? std::optional(found) : std::nullopt;
 }
 

@@ -13,16 +13,10 @@ class RodSweep {
   public:
     explicit RodSweep(const FrontView& view);
 
-    /// The rod at one crank angle.
-    struct Rod {
-        double x = 0.0, y = 0.0;              ///< crankpin, m
-        double along_x = 0.0, along_y = 0.0;  ///< to the piston pin, m
-    };
     struct Nearest {
         double distance = 0.0;  ///< m
         double x = 0.0;         ///< the place on the rod, m
         double y = 0.0;
-        Rod rod;
     };
     /// To any of the segments, to rounding.
     Nearest nearest(double x, double y) const;
@@ -30,15 +24,20 @@ class RodSweep {
     /// nearest(x, y) where its distance is less than `needed`, mostly for the price of a comparison
     /// where it is not.
     std::optional<Nearest> nearer_than(double x, double y, double needed) const;
-    /// Of the distance from one rod, m².
-    double square(const Rod& rod, double x, double y) const;
 
   private:
+    /// The rod at one crank angle.
+    struct Rod {
+        double x = 0.0, y = 0.0;              ///< crankpin, m
+        double along_x = 0.0, along_y = 0.0;  ///< to the piston pin, m
+    };
     static constexpr Eigen::Index samples = 96;
     static constexpr double step = two_pi / samples;
     using Column = Eigen::Array<double, samples, 1>;
 
     Rod rod_at(double theta) const;
+    /// Of the distance from one rod, m².
+    double square(const Rod& rod, double x, double y) const;
     Rod lowest_beside(Eigen::Index sample, double x, double y) const;
     /// Squares of the distances of all samples; returns the smallest.
     double squares(double x, double y, Column& out) const;

@@ -1,6 +1,7 @@
 #include "balance-shaft/shaft_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -8,56 +9,38 @@
 
 namespace ravnoves::balance_shaft {
 
-PlacePolygon::PlacePolygon(const PlaceRectangle& rectangle) {
-    const auto& [middle, half] = rectangle;
-    corners_[0] = middle + Eigen::Vector2d(-half.x(), -half.y());
-    corners_[1] = middle + Eigen::Vector2d(half.x(), -half.y());
-    corners_[2] = middle + Eigen::Vector2d(half.x(), half.y());
-    corners_[3] = middle + Eigen::Vector2d(-half.x(), half.y());
+PlacePolygon::PlacePolygon(const Eigen::AlignedBox2d& rectangle) {
+    using Box = Eigen::AlignedBox2d;
+    for (const auto corner : {Box::BottomLeft, Box::BottomRight, Box::TopRight, Box::TopLeft}) {
+        corners_.push_back(rectangle.corner(corner));
+    }
 }
 
 void PlacePolygon::cut(const HalfPlane& by) {
-    std::array<double, maximum> within;  // filled as far as it is read
-    bool is_cut = false;
-    for (std::size_t i = 0; i < size_; ++i) {
-        within[i] = by.normal.dot(corners_[i]) - by.minimum;
-        is_cut = is_cut || !(within[i] >= 0.0);
-    }
-    if (!is_cut) {
-        return;
-    }
-    std::array<Eigen::Vector2d, maximum> kept;
-    std::size_t count = 0;
-    const auto put = [&](const Eigen::Vector2d& corner) {
-        if (count < maximum) {
-            kept[count] = corner;
-        }
-        ++count;
-    };
-    for (std::size_t i = 0; i < size_; ++i) {
-        const std::size_t next = i + 1 < size_ ? i + 1 : 0;
+    decltype(corners_) kept;
+    for (std::size_t i = 0; i < size(); ++i) {
         const Eigen::Vector2d& from = corners_[i];
-        if (within[i] >= 0.0) {
-            put(from);
+        const Eigen::Vector2d& to = corners_[i + 1 < size() ? i + 1 : 0];
+        const double here = by.normal.dot(from) - by.minimum;
+        const double there = by.normal.dot(to) - by.minimum;
+        if (here >= 0.0) {
+            kept.push_back(from);
         }
-        if ((within[i] >= 0.0) != (within[next] >= 0.0)) {
-            put(from + (corners_[next] - from) * (within[i] / (within[i] - within[next])));
+        if ((here >= 0.0) != (there >= 0.0)) {
+            kept.push_back(from + (to - from) * (here / (here - there)));
         }
     }
-    if (count <= maximum) {
-        std::copy_n(kept.begin(), count, corners_.begin());
-        size_ = count;
+    if (kept.size() <= maximum) {
+        corners_ = kept;
     }
 }
 
-PlaceRectangle PlacePolygon::box() const {
-    Eigen::Vector2d low = corners_[0];
-    Eigen::Vector2d high = corners_[0];
-    for (std::size_t i = 1; i < size_; ++i) {
-        low = low.cwiseMin(corners_[i]);
-        high = high.cwiseMax(corners_[i]);
+Eigen::AlignedBox2d PlacePolygon::box() const {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : corners_) {
+        box.extend(corner);
     }
-    return {(high + low) / 2.0, (high - low) / 2.0};
+    return box;
 }
 
 ShaftPlaces::ShaftPlaces(const FrontView& view, const PlaceLimits& limits)
@@ -170,11 +153,11 @@ double ShaftPlaces::extent() const {
     return extent;
 }
 
-std::array<double, 4> ShaftPlaces::region(double distance) const {
-    return {std::max(-distance, limits_.left.value_or(-distance)),
-            std::max(-distance, limits_.bottom.value_or(-distance)),
-            std::min(distance, limits_.right.value_or(distance)),
-            std::min(distance, limits_.top.value_or(distance))};
+Eigen::AlignedBox2d ShaftPlaces::region(double distance) const {
+    return {Eigen::Vector2d(std::max(-distance, limits_.left.value_or(-distance)),
+                            std::max(-distance, limits_.bottom.value_or(-distance))),
+            Eigen::Vector2d(std::min(distance, limits_.right.value_or(distance)),
+                            std::min(distance, limits_.top.value_or(distance)))};
 }
 
 Eigen::Vector2d ShaftPlaces::on_cylinder(const Eigen::Vector2d& place) const {
@@ -184,14 +167,12 @@ Eigen::Vector2d ShaftPlaces::on_cylinder(const Eigen::Vector2d& place) const {
                        view_.cylinder_top)};
 }
 
-void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
-    const Eigen::Vector2d& middle = rectangle.middle;
-    const Eigen::Vector2d& half = rectangle.half;
+std::optional<ShaftPlaces::Cuts> ShaftPlaces::find_cuts(
+    const Eigen::AlignedBox2d& rectangle) const {
+    const Eigen::Vector2d middle = rectangle.center();
+    const Eigen::Vector2d half = rectangle.sizes() / 2.0;
     const double r = half.norm();
-    cuts.is_empty = false;
-    cuts.outer.clear();
-    cuts.inner.clear();
-    cuts.rod.reset();
+    Cuts cuts;
     // Must stay away from the nearest place of an obstacle.
     const auto keep_off = [&](const Eigen::Vector2d& nearest, double needed) {
         const Eigen::Vector2d to = middle - nearest;
@@ -208,8 +189,7 @@ void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
     const double min_l = nearest_allowed();
     const double max_l = farthest();
     if (l + r < min_l - rounding_ || l - r > max_l + rounding_) {
-        cuts.is_empty = true;
-        return;
+        return std::nullopt;
     }
     keep_off({0.0, 0.0}, min_l);
     if (l + r > max_l && l > 0.0) {
@@ -220,8 +200,7 @@ void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
 
     const double from_cylinder = distance_from_cylinder(view_, middle.x(), middle.y());
     if (from_cylinder + r < needed_ - rounding_) {
-        cuts.is_empty = true;
-        return;
+        return std::nullopt;
     }
     if (view_.cylinder_bottom <= view_.cylinder_top) {
         keep_off(on_cylinder(middle), needed_);
@@ -241,8 +220,7 @@ void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
             }
             const bool needs_both = span <= pi;
             if (needs_both ? !(possible[0] && possible[1]) : !(possible[0] || possible[1])) {
-                cuts.is_empty = true;
-                return;
+                return std::nullopt;
             }
             for (std::size_t i = 0; i < 2; ++i) {
                 if (needs_both || !possible[1 - i]) {
@@ -255,33 +233,11 @@ void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
 
     if (const auto rod = rods_.nearer_than(middle.x(), middle.y(), needed_rod_ + r)) {
         if (rod->distance + r < needed_rod_ - rounding_) {
-            cuts.is_empty = true;
-            return;
+            return std::nullopt;
         }
         keep_off({rod->x, rod->y}, needed_rod_);
-        cuts.rod = rod->rod;
     }
-}
-
-bool ShaftPlaces::is_blocked(const PlacePolygon& part, const Cuts& cuts) const {
-    const auto are_all = [&](const auto& is_near) {
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            if (!is_near(part[i])) {
-                return false;
-            }
-        }
-        return true;
-    };
-    const auto meets_crank = [minimum = nearest_allowed() - rounding_](const Eigen::Vector2d& at) {
-        return at.norm() < minimum;
-    };
-    const auto meets_cylinder = [&](const Eigen::Vector2d& at) {
-        return distance_from_cylinder(view_, at.x(), at.y()) < needed_ - rounding_;
-    };
-    const auto meets_rod = [&](const Eigen::Vector2d& at) {
-        return std::sqrt(rods_.square(*cuts.rod, at.x(), at.y())) < needed_rod_ - rounding_;
-    };
-    return are_all(meets_crank) || are_all(meets_cylinder) || (cuts.rod && are_all(meets_rod));
+    return cuts;
 }
 
 bool ShaftPlaces::make_feasible(Eigen::Vector2d& place) const {
@@ -312,9 +268,8 @@ bool ShaftPlaces::make_feasible(Eigen::Vector2d& place) const {
             } else if (l > maximum) {
                 push({0.0, 0.0}, maximum);
             } else {
-                const std::array<double, 4> box = region(std::numeric_limits<double>::infinity());
-                place.x() = std::clamp(place.x(), box[0], std::max(box[0], box[2]));
-                place.y() = std::clamp(place.y(), box[1], std::max(box[1], box[3]));
+                const Eigen::AlignedBox2d box = region(std::numeric_limits<double>::infinity());
+                place = place.cwiseMin(box.max()).cwiseMax(box.min());
                 const double from = limits_.shaft_angle_from.value_or(0.0);
                 const double span = angle_span(limits_);
                 if (margin_within(limits_, place.x(), place.y()) < -rounding_ && span < two_pi) {

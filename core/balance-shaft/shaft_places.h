@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
+#include <Eigen/Geometry>
+#include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -19,26 +19,20 @@ struct HalfPlane {
     double minimum = 0.0;
 };
 
-struct PlaceRectangle {
-    Eigen::Vector2d middle;
-    Eigen::Vector2d half;  ///< of the sides
-};
-
 /// A convex polygon of few corners, counted round.
 class PlacePolygon {
   public:
-    explicit PlacePolygon(const PlaceRectangle& rectangle);
+    explicit PlacePolygon(const Eigen::AlignedBox2d& rectangle);
     /// What would leave more corners than it has room for cuts nothing.
     void cut(const HalfPlane& by);
     /// About it, where it has corners.
-    PlaceRectangle box() const;
-    std::size_t size() const { return size_; }
+    Eigen::AlignedBox2d box() const;
+    std::size_t size() const { return corners_.size(); }
     const Eigen::Vector2d& operator[](std::size_t i) const { return corners_[i]; }
 
   private:
     static constexpr std::size_t maximum = 16;
-    std::array<Eigen::Vector2d, maximum> corners_;
-    std::size_t size_ = 4;
+    boost::container::static_vector<Eigen::Vector2d, 2 * maximum> corners_;
 };
 
 /// Width and height of the front view's box as convex functions of the shaft's place, m, with a
@@ -72,22 +66,17 @@ class ShaftPlaces {
 
     /// The feasible part of a rectangle, bounded by lines. Obstacles are round outwards or corners
     /// of round ones: seen from the rectangle's middle the nearest place q of each requires
-    /// |v − q| ≥ D, and |v − q| is below its tangent plane by at most r²/(2 |middle − q|).
+    /// |v − q| ≥ D, and |v − q| is below its tangent plane by at most r²/(2 |middle − q|). Nothing
+    /// where nothing fits.
     struct Cuts {
-        bool is_empty = false;             ///< nothing fits in the rectangle
-        std::vector<HalfPlane> outer;      ///< all feasible places are in these
-        std::vector<HalfPlane> inner;      ///< places in these are mostly feasible
-        std::optional<RodSweep::Rod> rod;  ///< the nearest to its middle, where that counts
+        std::vector<HalfPlane> outer;  ///< all feasible places are in these
+        std::vector<HalfPlane> inner;  ///< places in these are mostly feasible
     };
-    void find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const;
-    /// Whether a single obstacle blocks a part of the rectangle: crank, cylinder and each rod block
-    /// convex areas.
-    bool is_blocked(const PlacePolygon& part, const Cuts& cuts) const;
+    std::optional<Cuts> find_cuts(const Eigen::AlignedBox2d& rectangle) const;
     /// Moves a nearly feasible place to a feasible one, where it finds one.
     bool make_feasible(Eigen::Vector2d& place) const;
-    /// A rectangle around all feasible places within a distance of the crank's axis: left, bottom,
-    /// right, top, m; empty where left > right.
-    std::array<double, 4> region(double distance) const;
+    /// A rectangle around all feasible places within a distance of the crank's axis, m.
+    Eigen::AlignedBox2d region(double distance) const;
     /// The largest centre distance that gears and limits allow; infinite where they do not.
     double farthest() const;
     /// What the sizes and limits together span, m.
