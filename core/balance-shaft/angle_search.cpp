@@ -64,28 +64,20 @@ std::vector<AngleStretch> turned(std::vector<AngleStretch> stretches, double by)
     return stretches;
 }
 
-AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, double steepest,
-                                 double size, const std::vector<AngleStretch>& within) {
+AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, double size,
+                                 const std::vector<AngleStretch>& within) {
     constexpr int first_angles = 36;
     AngleMinimum best;
     std::vector<std::array<Cut, 2>> open;
     std::vector<Cut> cuts;
     for (const AngleStretch& stretch : within) {
-        // The ends of the whole turn are one angle.
-        const bool whole = stretch.is_whole_turn();
-        const double span = whole ? two_pi : stretch.to - stretch.from;
-        const int parts = whole ? first_angles : 1 + static_cast<int>(first_angles * span / two_pi);
-        const std::size_t first = cuts.size();
-        for (int i = 0; i < parts + (whole ? 0 : 1); ++i) {
+        const double span = stretch.to - stretch.from;
+        const int parts = std::max(1, static_cast<int>(std::ceil(first_angles * span / two_pi)));
+        for (int i = 0; i <= parts; ++i) {
             cuts.push_back(evaluate(stretch.from + span * i / parts));
-            ++best.evaluations;
-        }
-        if (whole) {
-            cuts.push_back(cuts[first]);
-            cuts.back().alpha = stretch.from + two_pi;
-        }
-        for (std::size_t i = first; i + 1 < cuts.size(); ++i) {
-            open.push_back({cuts[i], cuts[i + 1]});
+            if (i > 0) {
+                open.push_back({cuts.end()[-2], cuts.back()});
+            }
         }
     }
     std::reverse(open.begin(), open.end());
@@ -102,19 +94,15 @@ AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, dou
     best.alpha = chosen->alpha;
     best.value = chosen->value;
     constexpr int max_evaluations = 20'000;
-    while (!open.empty()) {
+    for (int evaluations = 0; !open.empty();) {
         const std::array<Cut, 2> interval = open.back();
         open.pop_back();
-        // A cheap bound first, by the Lipschitz constant.
         const double width = interval[1].alpha - interval[0].alpha;
-        if ((interval[0].value + interval[1].value - steepest * width) / 2 >= best.value) {
-            continue;
-        }
         Bound bound = min_of_larger(interval[0], interval[1]);
         if (bound.value >= best.value - tolerance) {
             continue;
         }
-        if (best.evaluations >= max_evaluations || width < rounding) {
+        if (evaluations >= max_evaluations || width < rounding) {
             best.gap = std::max(best.gap, best.value - bound.value);
             continue;
         }
@@ -123,7 +111,7 @@ AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, dou
             bound.alpha = interval[0].alpha + width / 2;
         }
         const Cut cut = evaluate(bound.alpha);
-        ++best.evaluations;
+        ++evaluations;
         best.worst = std::max(best.worst, cut.value);
         if (cut.value < best.value) {
             best.value = cut.value;
@@ -164,7 +152,7 @@ Cut range_cut(const MomentPlane& plane, double amplitude, double alpha) {
 AngleMinimum minimise_range(const MomentPlane& plane, double amplitude,
                             const std::vector<AngleStretch>& within) {
     return minimise_over_angle([&](double alpha) { return range_cut(plane, amplitude, alpha); },
-                               2.0 * amplitude, amplitude, within);
+                               amplitude, within);
 }
 
 }  // namespace ravnoves::balance_shaft

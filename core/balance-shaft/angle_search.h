@@ -26,7 +26,6 @@ struct AngleStretch {
     double from = 0.0;
     double to = two_pi;
 
-    bool is_whole_turn() const { return to - from >= two_pi; }
     bool operator==(const AngleStretch&) const = default;
 };
 
@@ -50,7 +49,6 @@ struct AngleMinimum {
     double value = 0.0;
     double worst = 0.0;  ///< the largest value met on the way
     double gap = 0.0;    ///< no α has a value below value − gap
-    int evaluations = 0;
 };
 
 /// The global minimum over α of a function of period 2π, by cutting planes: every evaluated angle
@@ -58,11 +56,9 @@ struct AngleMinimum {
 /// two sinusoids bounds it; the interval is split at that bound's minimum until no bound is under
 /// the best value. Kinks and several minima need no care, since the bounds are global. Of angles at
 /// the ends that are equal but for rounding, the smallest is returned.
-/// @param steepest  Lipschitz constant of the function
 /// @param size      scale of its rounding, also its values
 /// @param within    the angles to choose from, one stretch at least; default: all
-AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, double steepest,
-                                 double size,
+AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, double size,
                                  const std::vector<AngleStretch>& within = whole_turn());
 
 /// The shaft's moment A sin(φ + α) = A sin α cos φ + A cos α sin φ.
@@ -80,7 +76,7 @@ void sweep(const MomentPlane& plane, double amplitude, std::span<const double> a
 /// (a range is at least the difference of any two of its values).
 Cut range_cut(const MomentPlane& plane, double amplitude, double alpha);
 
-/// The smallest range over α, by minimise_over_angle(): |dR/dα| ≤ 2A.
+/// The smallest range over α, by minimise_over_angle().
 AngleMinimum minimise_range(const MomentPlane& plane, double amplitude,
                             const std::vector<AngleStretch>& within = whole_turn());
 

@@ -161,12 +161,10 @@ SpeedStudy::BestCompromise SpeedStudy::best_compromise_of(const std::vector<cons
                                                           Criterion criterion, Measure measure,
                                                           const std::vector<AngleStretch>& within) {
     const bool by_range = criterion == Criterion::range;
-    double steepest = 0.0;
     double size = 0.0;
     for (const Speed* speed : speeds) {
         const double amplitude = speed->amplitude / speed->divisor(criterion, measure);
         const double first = speed->plane.opposed().norm();
-        steepest = std::max(steepest, (by_range ? 2.0 : first) * amplitude);
         size = std::max(size, (by_range ? 1.0 : speed->amplitude + first) * amplitude);
     }
     const Speed* worst = nullptr;
@@ -182,7 +180,7 @@ SpeedStudy::BestCompromise SpeedStudy::best_compromise_of(const std::vector<cons
         }
         return worst->cut(criterion, measure, alpha);
     };
-    const AngleMinimum best = minimise_over_angle(evaluate, steepest, size, within);
+    const AngleMinimum best = minimise_over_angle(evaluate, size, within);
     evaluate(best.alpha);
     return {best.alpha, best.value, worst->angular_speed, best.gap};
 }

@@ -163,7 +163,6 @@ TEST(BestRange, ProvesItsGap) {
     const MomentPlane plane(PeriodicPiecewise::linear(table.crank_angle_deg, table.torque));
     const AngleMinimum best = minimise_range(plane, 430.0);
     EXPECT_EQ(best.gap, 0.0);
-    EXPECT_LT(best.evaluations, 100);
 }
 
 TEST(BestRange, FindsTheOnlyMinimumOfAPureFirstOrder) {

@@ -173,7 +173,7 @@ TEST(AngleMinimum, OfEndsThatMirrorEachOtherTheFirstIsChosenWhateverRoundingSays
     for (int i = 1; i < 200; ++i) {
         const double end = 0.3 + 0.01 * i;
         const auto best =
-            minimise_over_angle(evaluate, 1.0, 1.0, {{0.1, end}, {two_pi - end, two_pi - 0.1}});
+            minimise_over_angle(evaluate, 1.0, {{0.1, end}, {two_pi - end, two_pi - 0.1}});
         EXPECT_NEAR(best.alpha, end, 1e-12);
     }
 }
