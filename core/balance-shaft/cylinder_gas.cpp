@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
@@ -10,6 +9,7 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "numerics/angle.h"
+#include "numerics/maximum.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -247,22 +247,15 @@ IndicatedCycle CylinderGas::indicated() const {
     result.work = of(work());
     result.imep = result.work / displacement_;
     constexpr int samples = 1440;
-    int highest = 0;
+    const double step = period_ / samples;
+    const auto at = [this](double angle) { return pressure(angle + top_dead_centre_); };
+    Maximum peak;
     for (int i = 0; i < samples; ++i) {
-        const double p = pressure(period_ * i / samples + top_dead_centre_);
-        if (p > result.peak_pressure) {
-            result.peak_pressure = p;
-            highest = i;
-        }
+        peak.take(at(step * i), step * i);
     }
-    const auto [highest_angle, negative] = boost::math::tools::brent_find_minima(
-        [this](double angle) { return -pressure(angle + top_dead_centre_); },
-        period_ * (highest - 1) / samples, period_ * (highest + 1) / samples, 30);
-    result.peak_pressure_angle = period_ * highest / samples;
-    if (-negative > result.peak_pressure) {
-        result.peak_pressure = -negative;
-        result.peak_pressure_angle = wrap(highest_angle, period_);
-    }
+    peak.sharpen(at, step);
+    result.peak_pressure = peak.value;
+    result.peak_pressure_angle = wrap(peak.place, period_);
     return result;
 }
 

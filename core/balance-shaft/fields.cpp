@@ -32,10 +32,10 @@ Field field_of(const NamedMass& part) {
             return listed;
         }
     }
-    return {.key = part.name,
-            .unit = units::kg,
-            .range = field::mass_parts[0].range,
-            .size = field::engine_masses};
+    Field other = field::mass_parts[0];
+    other.key = part.name;
+    other.label = other.hint = {};
+    return other;
 }
 
 void visit_masses(FieldVisitor& visitor, Input& input) {

@@ -77,32 +77,21 @@ inline constexpr Field reciprocating_mass{
     .size = engine_masses,
     .symbol = "mⱼ",
     .hint = Text::tr("Reciprocating mass of the cylinder as one number.")};
+constexpr Field mass_part(const char* key, Text label, Text hint) {
+    return {.key = key,
+            .unit = units::kg,
+            .range = Range::at_least(0),
+            .size = engine_masses,
+            .label = label,
+            .hint = hint};
+}
 /// The parts that the form lists, in the paper's order; others have the same range.
 inline constexpr std::array mass_parts{
-    Field{.key = "piston",
-          .unit = units::kg,
-          .range = Range::at_least(0),
-          .size = engine_masses,
-          .label = Text::tr("&Piston"),
-          .hint = Text::tr("Mass of the piston.")},
-    Field{.key = "pin",
-          .unit = units::kg,
-          .range = Range::at_least(0),
-          .size = engine_masses,
-          .label = Text::tr("Piston p&in"),
-          .hint = Text::tr("Mass of the piston pin.")},
-    Field{.key = "rings",
-          .unit = units::kg,
-          .range = Range::at_least(0),
-          .size = engine_masses,
-          .label = Text::tr("Rin&gs"),
-          .hint = Text::tr("Mass of the piston rings.")},
-    Field{.key = "rod_small_end",
-          .unit = units::kg,
-          .range = Range::at_least(0),
-          .size = engine_masses,
-          .label = Text::tr("Rod, small-&end share"),
-          .hint = Text::tr("Part of the rod's mass that moves with the piston.")}};
+    mass_part("piston", Text::tr("&Piston"), Text::tr("Mass of the piston.")),
+    mass_part("pin", Text::tr("Piston p&in"), Text::tr("Mass of the piston pin.")),
+    mass_part("rings", Text::tr("Rin&gs"), Text::tr("Mass of the piston rings.")),
+    mass_part("rod_small_end", Text::tr("Rod, small-&end share"),
+              Text::tr("Part of the rod's mass that moves with the piston."))};
 /// Bounds its small-end share.
 inline constexpr Field rod_mass{
     .key = "rod_mass_kg",

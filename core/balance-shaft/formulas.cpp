@@ -8,13 +8,6 @@ namespace {
 
 constexpr std::string_view gots_klevtsov = "gots-klevtsov";
 
-void add_piston_pin(std::vector<Formula>& list) {
-    list.push_back({Text::tr("Piston pin"),
-                    "s = r cos θ + √(L<sup>2</sup> − (r sin θ − e)<sup>2</sup>)", "", "",
-                    Text::tr("L length of the rod, e offset of the cylinder, θ angle of the crank "
-                             "from the cylinder's direction")});
-}
-
 void add_torque(std::vector<Formula>& list) {
     list.push_back({Text::tr("Torque of the engine"),
                     "M<sub>i</sub> = M<sub>g</sub> + M<sub>j</sub>, "
@@ -110,7 +103,10 @@ std::vector<Formula> formulas(const Input& input) {
         add_cycle(list, input.strokes);
     }
     if (input.torque.is_computed() || offset) {
-        add_piston_pin(list);
+        list.push_back({Text::tr("Piston pin"),
+                        "s = r cos θ + √(L<sup>2</sup> − (r sin θ − e)<sup>2</sup>)", "", "",
+                        Text::tr("L length of the rod, e offset of the cylinder, θ angle of the "
+                                 "crank from the cylinder's direction")});
     }
     list.push_back({Text::tr("Tipping moment"),
                     offset ? "M<sub>up</sub> = −M<sub>i</sub> + e m<sub>j</sub> ω<sup>2</sup> s″"

@@ -13,17 +13,12 @@
 
 namespace ravnoves::balance_shaft {
 
-namespace {
-
-constexpr const char* root = "/input/relieved_shaft";
-
-}  // namespace
-
 double half_disc_length(double radius, double unbalance, double density) {
     return unbalance / (2.0 / 3.0 * density * std::pow(radius, 3));
 }
 
 void check_relieved_shaft(const RelievedShaftSizes& sizes) {
+    constexpr const char* root = "/input/relieved_shaft";
     check_fields(sizes, root);
     const int given =
         sizes.diameter.has_value() + sizes.depth.has_value() + sizes.length.has_value();

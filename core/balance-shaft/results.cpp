@@ -151,14 +151,21 @@ void visit_inertia_check(ResultVisitor& visitor, const InertiaCheck& check) {
     visitor.text(text, check.text);
 }
 
+/// One member of each row.
+template <typename Row>
+void visit_column(ResultVisitor& visitor, const ResultField& field, const std::vector<Row>& rows,
+                  double Row::*member) {
+    std::vector<double> values;
+    for (const Row& row : rows) {
+        values.push_back(row.*member);
+    }
+    visitor.numbers(field, values);
+}
+
 void visit_spectrum(ResultVisitor& visitor, const Result& result) {
     const auto column = [&](const ResultField& field, const std::vector<OrderLine>& lines,
                             double OrderLine::*member) {
-        std::vector<double> values;
-        for (const OrderLine& line : lines) {
-            values.push_back(line.*member);
-        }
-        visitor.numbers(field, values);
+        visit_column(visitor, field, lines, member);
     };
     column({"order", Text::tr("order"), 1}, result.spectrum_M_up, &OrderLine::order);
     column({"M_up_amplitude_Nm", Text::tr("Mᵤₚ, amplitude"), 2}, result.spectrum_M_up,
@@ -386,11 +393,7 @@ void visit_speed_band(ResultVisitor& visitor, const Input& input, const SpeedBan
     }
     using Point = SpeedStudy::Point;
     const auto column = [&](const ResultField& field, double Point::*member) {
-        std::vector<double> values;
-        for (const Point& point : study.points()) {
-            values.push_back(point.*member);
-        }
-        visitor.numbers(field, values);
+        visit_column(visitor, field, study.points(), member);
     };
     column({"speed_rpm", Text::tr("speed"), 0}, &Point::angular_speed);
     column(key::moment_amplitude, &Point::moment_amplitude);

@@ -38,6 +38,17 @@ double mean_pressure(const CylinderGas& gas, double angle_deg) {
     return sum / (2 * reach + 1);
 }
 
+/// Place of the peak from the firing top dead centre, −cycle/2 … cycle/2, °.
+double lateness(const Input& input, const IndicatedCycle& cycle) {
+    return std::remainder(cycle.peak_pressure_angle / degree - 360.0, input.cycle_deg());
+}
+
+bool is_usual_lateness(double angle) {
+    constexpr double earliest = -6.0;
+    constexpr double latest = 45.0;
+    return angle > earliest && angle < latest;
+}
+
 }  // namespace
 
 std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
@@ -75,21 +86,6 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
     }
     return fit;
 }
-
-namespace {
-
-/// Place of the peak from the firing top dead centre, −cycle/2 … cycle/2, °.
-double lateness(const Input& input, const IndicatedCycle& cycle) {
-    return std::remainder(cycle.peak_pressure_angle / degree - 360.0, input.cycle_deg());
-}
-
-bool is_usual_lateness(double angle) {
-    constexpr double earliest = -6.0;
-    constexpr double latest = 45.0;
-    return angle > earliest && angle < latest;
-}
-
-}  // namespace
 
 Message coarse_rows(const PressureTrace& trace) {
     const std::vector<double>& angle = trace.crank_angle_deg;
