@@ -239,14 +239,16 @@ inline constexpr Field centre_distance_min{
     .label = Text::tr("Minimum l"),
     .symbol = "l",
     .hint = Text::tr("Minimum distance between crank axis and shaft axis."),
-    .placeholder = Text::tr("any")};
+    .placeholder = Text::tr("any"),
+    .is_setting = true};
 inline constexpr Field centre_distance_max{
     .key = "centre_distance_max_mm",
     .range = Range::between(0, 1e6),
     .label = Text::tr("Maximum l"),
     .symbol = "l",
     .hint = Text::tr("Maximum distance between crank axis and shaft axis."),
-    .placeholder = Text::tr("any")};
+    .placeholder = Text::tr("any"),
+    .is_setting = true};
 inline constexpr Field shaft_angle_from{
     .key = "shaft_angle_from_deg",
     .range = Range::between(-360, 360),
@@ -254,7 +256,8 @@ inline constexpr Field shaft_angle_from{
     .symbol = "α",
     .hint = Text::tr("First angle of the shaft, in the direction of rotation."),
     .if_empty = Text::tr("0 if the other end is given"),
-    .placeholder = Text::tr("any")};
+    .placeholder = Text::tr("any"),
+    .is_setting = true};
 inline constexpr Field shaft_angle_to{.key = "shaft_angle_to_deg",
                                       .range = Range::between(-360, 720),
                                       .label = Text::tr("α to"),
@@ -262,7 +265,8 @@ inline constexpr Field shaft_angle_to{.key = "shaft_angle_to_deg",
                                       .hint = Text::tr("Last angle of the shaft; across 0° it is "
                                                        "less than the first."),
                                       .if_empty = Text::tr("360° if the other end is given"),
-                                      .placeholder = Text::tr("any")};
+                                      .placeholder = Text::tr("any"),
+                                      .is_setting = true};
 inline constexpr Field place_left{
     .key = "left_mm",
     .range = Range::between(-1e6, 1e6),
@@ -270,27 +274,31 @@ inline constexpr Field place_left{
     .symbol = "x",
     .hint = Text::tr("The shaft axis must be to the right of this line, x from the crank axis. "
                      "For a wall: add swing radius and clearance."),
-    .placeholder = Text::tr("any")};
+    .placeholder = Text::tr("any"),
+    .is_setting = true};
 inline constexpr Field place_right{
     .key = "right_mm",
     .range = Range::between(-1e6, 1e6),
     .label = Text::tr("Maximum x"),
     .symbol = "x",
     .hint = Text::tr("The shaft axis must be to the left of this line."),
-    .placeholder = Text::tr("any")};
+    .placeholder = Text::tr("any"),
+    .is_setting = true};
 inline constexpr Field place_bottom{
     .key = "bottom_mm",
     .range = Range::between(-1e6, 1e6),
     .label = Text::tr("Minimum y"),
     .symbol = "y",
     .hint = Text::tr("The shaft axis must be above this line, y from the crank axis."),
-    .placeholder = Text::tr("any")};
+    .placeholder = Text::tr("any"),
+    .is_setting = true};
 inline constexpr Field place_top{.key = "top_mm",
                                  .range = Range::between(-1e6, 1e6),
                                  .label = Text::tr("Maximum y"),
                                  .symbol = "y",
                                  .hint = Text::tr("The shaft axis must be below this line."),
-                                 .placeholder = Text::tr("any")};
+                                 .placeholder = Text::tr("any"),
+                                 .is_setting = true};
 
 inline constexpr Field gears{.key = "gears",
                              .hint = Text::tr("The pair of gears that drives the shaft.")};

@@ -32,7 +32,7 @@ struct Field {
     Text placeholder{};         ///< what an empty field of the form represents ("auto")
     /// Of a choice, in the order of its enumeration; of a whole number, the two that it can be.
     std::span<const Word> words{};
-    /// Of a curve or a computation, not of the engine: it has no tolerance, and is not swept.
+    /// Of a curve, a computation or a wish: it has no tolerance, and is not swept.
     bool is_setting = false;
 
     /// The range, or the size, that a value in the unit leaves; null where it is allowed.
