@@ -20,16 +20,12 @@ struct SolvedOption : Option {
     bool works() const { return feasible && hindrance.empty(); }
     /// Works only as long as the shift is neglected.
     bool by_method_alone() const { return shift && shift->matters; }
-    /// Mass to take off each plug, kg: by the method, or with the shift where that matters; of an
-    /// option that falls short the required mass.
-    double take_off() const {
-        return by_method_alone() ? shift->reduction : feasible ? reduction : required_reduction;
-    }
+    /// Mass to take off each plug, kg: by the method, or with the shift where that matters; what
+    /// the plug allows of it.
+    double take_off() const { return by_method_alone() ? shift->reduction : reduction; }
     /// One plug as the option fits it, kg, and the radius of its centre of mass, m. With less off
     /// than the method counts it is heavier, and its centre nearer to the crank axis.
-    double fitted_mass() const {
-        return plug_mass_unmachined - (by_method_alone() ? shift->reduction : reduction);
-    }
+    double fitted_mass() const { return plug_mass_unmachined - take_off(); }
     double fitted_radius() const { return by_method_alone() ? shift->radius : plug_radius; }
     /// The bore to make: where the neglected shift matters, the one that counts it; empty where
     /// no bore does.

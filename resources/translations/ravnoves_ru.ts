@@ -511,8 +511,8 @@
         <translation>предел для одной, %1</translation>
     </message>
     <message>
-        <source>only by the method</source>
-        <translation>только по методике</translation>
+        <source>works, shift counted</source>
+        <translation>годится, смещение учтено</translation>
     </message>
 </context>
 <context>
@@ -10058,8 +10058,8 @@
         <translation>Совпало бы с номиналом, но изготовить нельзя.</translation>
     </message>
     <message>
-        <source>(!) Matches nominal by the method only.</source>
-        <translation>(!) Совпадает с номиналом только по методу.</translation>
+        <source>Matches nominal within %1.</source>
+        <translation>Совпадает с номиналом в пределах %1.</translation>
     </message>
     <message>
         <source>Matches nominal: balanced.</source>
@@ -17150,8 +17150,8 @@ but at this l no α is feasible</source>
         <translation>Остаточный дисбаланс, масса на радиус кривошипа</translation>
     </message>
     <message>
-        <source>By the method only; the neglected shift leaves up to %1.</source>
-        <translation>Только по методу; неучтённое смещение оставляет до %1.</translation>
+        <source>The take-off counts the shift; by the method alone up to %1 would remain.</source>
+        <translation>Снимаемая масса учитывает смещение; только по методу осталось бы до %1.</translation>
     </message>
     <message>
         <source>Maximum off a plug: %1; slope kᵤ = %2, %3°.</source>
@@ -17230,8 +17230,8 @@ but at this l no α is feasible</source>
         <translation>Введите резьбу и высоту, чтобы увидеть массу заглушки.</translation>
     </message>
     <message>
-        <source>Option; ✓ sufficient, ✗ not sufficient, ! only by the method</source>
-        <translation>Вариант; ✓ достаточно, ✗ недостаточно, ! только по методу</translation>
+        <source>Option; ✓ sufficient, ✗ not sufficient, ! with the shift counted</source>
+        <translation>Вариант; ✓ достаточно, ✗ недостаточно, ! с учётом смещения</translation>
     </message>
     <message>
         <source>Mass compensated without boring, kₚ times the mass difference of the plugs</source>
@@ -17246,8 +17246,8 @@ but at this l no α is feasible</source>
         <translation>Максимальная масса, которую вариант компенсирует</translation>
     </message>
     <message>
-        <source>Mass to take off each plug; negative or beyond the maximum if the option is not sufficient</source>
-        <translation>Сколько снять с каждой заглушки; отрицательно или больше предела, если вариант недостаточен</translation>
+        <source>Mass to take off each plug, as far as the plug allows it</source>
+        <translation>Сколько снять с каждой заглушки, насколько она позволяет</translation>
     </message>
     <message>
         <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>

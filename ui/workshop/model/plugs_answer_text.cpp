@@ -143,12 +143,14 @@ QString WorkshopModel::checkText() const {
     QStringList said;
     if (solution.before && solution.nominal) {
         const double difference = solution.hung_weight()->sum() - solution.nominal->sum();
+        const ShiftEffect* shift = solution.shift_that_matters();
         // Rounding of the sum, not a difference.
         const bool isNone = std::abs(difference) < 1e-9 * solution.nominal->sum();
         said << (isNone && !v8_text::works(solution)
                      ? words.translate("V8", "Would match nominal, but cannot be made.")
-                 : isNone && solution.shift_that_matters() != nullptr
-                     ? words.translate("V8", "(!) Matches nominal by the method only.")
+                 : isNone && shift != nullptr && !shift->planned
+                     ? words.translate("V8", "Matches nominal within %1.")
+                           .arg(gramMillimetres(words, shift->uncertainty))
                  : isNone ? words.translate("V8", "Matches nominal: balanced.")
                           : words.translate("V8", "Difference from nominal: %1 (%2).")
                                 .arg(grams(words, difference),
@@ -189,14 +191,13 @@ QString WorkshopModel::plugWeightText() const {
 
 Results WorkshopModel::optionResults() const {
     Results results{{
-        {tr("Option"), tr("Option; ✓ sufficient, ✗ not sufficient, ! only by the method")},
+        {tr("Option"), tr("Option; ✓ sufficient, ✗ not sufficient, ! with the shift counted")},
         {shownTitle(tr("fixed part, g")).text,
          tr("Mass compensated without boring, kₚ times the mass difference of the plugs")},
         {tr("gain"), tr("Mass compensated per gram taken off each plug")},
         {shownTitle(tr("maximum, g")).text, tr("Maximum mass that the option compensates")},
         {shownTitle(tr("take off each, g")).text,
-         tr("Mass to take off each plug; negative or beyond the maximum if the option is not "
-            "sufficient")},
+         tr("Mass to take off each plug, as far as the plug allows it")},
         {shownTitle(tr("remains, g")).text, tr("Residual mass")},
         {shownTitle(tr("remains, g·mm")).text, tr("Residual unbalance, mass times crank radius")},
     }};
@@ -241,7 +242,7 @@ QString WorkshopModel::optionTip(const SolvedOption& option) const {
         text << tr("For the other crankshaft.");
     }
     if (option.by_method_alone()) {
-        text << tr("By the method only; the neglected shift leaves up to %1.")
+        text << tr("The take-off counts the shift; by the method alone up to %1 would remain.")
                     .arg(gramMillimetres(Words(), std::abs(option.shift->residual_unbalance)));
     }
     text << QStringList{
