@@ -178,6 +178,14 @@ void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed) {
     }
     EngineValue engine(input);
     visitor.custom(field::engine, true, engine);
+    if (!visitor.is_reading() && visitor.has(field::engine_overrides.key, false)) {
+        // A list of all that a case may have.
+        visitor.object_of(field::engine_overrides, false, false, [&] {
+            for (const EngineField& each : engine_fields()) {
+                visitor.number(each.field, input.engine.*each.member);
+            }
+        });
+    }
     EngineOverrides overrides(input);
     visitor.custom(field::engine_overrides, false, overrides);
     visitor.choice(field::process, input.process);

@@ -90,8 +90,8 @@ const FieldEntry* FieldNames::find(const std::string& pointer) const {
 }
 
 const FieldEntry* FieldNames::described(const std::string& pointer) const {
-    const auto found = fields_.find(likeFirst(pointer));
-    return found != fields_.end() ? &found->second : find(pointer);
+    const FieldEntry* own = entryAt(pointer);
+    return own != nullptr ? own : find(pointer);
 }
 
 ShownUnit FieldNames::shown(const FieldEntry& entry) const {
@@ -141,25 +141,8 @@ const FieldEntry* FieldNames::labelled(const FieldEntry& entry) const {
 }
 
 const FieldEntry* FieldNames::entryAt(const std::string& pointer) const {
-    const std::string at = likeFirst(pointer);
-    if (const auto found = fields_.find(at); found != fields_.end()) {
-        return &found->second;
-    }
-    // What replaces values of the object beside it has their keys: overrides of an engine.
-    const std::size_t key = at.rfind('/');
-    const std::size_t object =
-        key == 0 || key == std::string::npos ? std::string::npos : at.rfind('/', key - 1);
-    if (object == std::string::npos) {
-        return nullptr;
-    }
-    const std::string around = at.substr(0, object + 1);
-    const std::string own = at.substr(key);
-    const auto found = std::ranges::find_if(fields_, [&](const auto& each) {
-        const std::string& place = each.first;
-        return place.starts_with(around) && place.ends_with(own) &&
-               place.find('/', around.size()) == place.size() - own.size();
-    });
-    return found == fields_.end() ? nullptr : &found->second;
+    const auto found = fields_.find(likeFirst(pointer));
+    return found != fields_.end() ? &found->second : nullptr;
 }
 
 QString FieldNames::ownName(const std::string& pointer) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case-file/field_index.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
@@ -152,6 +153,9 @@ TEST(Result, PresetWithOverridesIsTheSameEngine) {
                                    {"reciprocating_mass_g", 1000},
                                    {"rotating_mass_g", 650}};
     EXPECT_EQ(solved(by_name), solved(example()));
+    const auto fields = describe_fields<PlugsCase>("/engine_overrides/oil_mass_g");
+    ASSERT_EQ(fields.size(), 1U) << "as a field, for its name and its unit";
+    EXPECT_EQ(fields[0].field.unit.name, "g");
     by_name["engine_overrides"]["crank_radius_mm"] = 41;
     EXPECT_NE(solved(by_name).at("k_p"), solved(example()).at("k_p"));
 }
