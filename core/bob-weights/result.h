@@ -128,9 +128,6 @@ struct Result {
     }
 };
 
-/// An amplification of more than this is worth a word.
-inline constexpr double max_amplification = 1.5;
-
 /// What of the bob weight is missing, by its fields; empty where it is known.
 std::vector<const Field*> missing_for_bob_weight(const Input& input);
 

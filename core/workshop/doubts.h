@@ -4,9 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bob-weights/result.h"
 #include "case-file/verdict.h"
-#include "v8-plugs/result.h"
 #include "workshop/input.h"
 
 namespace ravnoves::workshop {
@@ -20,13 +18,7 @@ struct Withheld {
     bool any() const { return bob_weight || holes || verdict; }
 };
 
-/// What a rule looks at.
-struct DoubtCase {
-    const Input& input;
-    const bob_weights::Result& shaft;
-    const v8_plugs::Input* plugs_input;  ///< whole_plugs(); null without plugs
-    const v8_plugs::Result* plugs;
-};
+struct DoubtSearch;
 
 /// One line of the table of doubts.
 struct DoubtRule {
@@ -34,7 +26,7 @@ struct DoubtRule {
     Severity severity;
     Withheld blocks;
     std::string_view act;  ///< what would help, as the page knows it; empty where nothing does
-    std::vector<Message> (*find)(const DoubtCase& job);  ///< each with what to do
+    void (*find)(DoubtSearch& job);
     bool is_provisional = false;  ///< the answer will be another once all is known
 };
 
@@ -46,7 +38,8 @@ struct Doubt {
     const DoubtRule* rule;
     Message text;
 };
-std::vector<Doubt> find_doubts(const DoubtCase& job);
+struct Result;
+std::vector<Doubt> find_doubts(const Input& input, const Result& result);
 
 /// The entered mass of a part and the weighed one are not of the same part.
 bool contradicts_scale(const Input& input, const bob_weights::PartField& part);

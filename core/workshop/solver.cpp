@@ -57,9 +57,7 @@ Result solve_undoubted(const Input& input, bool absent_is_zero, bool places_part
 Result solve(const Input& given, bool absent_is_zero, bool places_parts) {
     const Input input = with_heavy_spots(given);
     Result result = solve_undoubted(input, absent_is_zero, places_parts);
-    result.doubts =
-        find_doubts({input, result.shaft, result.plugs_input ? &*result.plugs_input : nullptr,
-                     result.plugs ? &*result.plugs : nullptr});
+    result.doubts = find_doubts(input, result);
     return result;
 }
 
