@@ -307,12 +307,5 @@ BearingPlaces places_of_bearings(const Input& input);
 /// Checks what joins the fields of engine and factor.
 /// @throws InputError
 void check_bob_weight(const Input& input);
-/// Parts, weigh-in, a correction that is planned, runs and tolerance.
-/// @throws InputError
-void check_parts(const Input& input);
-void check_weigh_in(const Input& input, bool nominal_needed);
-void check_correction(const Correction& correction);
-void check_runs(const Correction& correction);
-void check_tolerance(const Tolerance& tolerance);
 
 }  // namespace ravnoves::bob_weights

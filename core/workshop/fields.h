@@ -1,6 +1,6 @@
 #pragma once
 
-#include "case-file/field.h"
+#include "bob-weights/fields.h"
 
 /// The inputs of a job that the scenes bob-weights and v8-plugs do not have.
 namespace ravnoves::workshop {
@@ -11,6 +11,8 @@ inline constexpr Word shows_words[] = {{"heavy", Text::tr("Heavy spot")},
                                        {"light", Text::tr("Light spot")}};
 
 namespace field {
+
+using namespace bob_weights::field;
 
 inline constexpr Field plugs{
     .key = "plugs",

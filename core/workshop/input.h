@@ -63,6 +63,10 @@ Json write_input(const Input& input);
 /// @throws InputError
 void check_input(const Input& input);
 /// The same but for the ranges.
-void check_rules(const Input& input);
+/// @param is_older  of bob-weights: whatever is corrected is planned, and every reading has its
+/// angle
+/// @param plugs     where the case has their fields
+void check_rules(const Input& input, bool is_older = false,
+                 const std::string& plugs = "/input/plugs/");
 
 }  // namespace ravnoves::workshop

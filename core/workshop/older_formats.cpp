@@ -9,7 +9,6 @@
 #include "bob-weights/results.h"
 #include "bob-weights/solver.h"
 #include "case-file/field_writer.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "shop/results.h"
 #include "v8-plugs/results.h"
@@ -100,27 +99,12 @@ void visit_fields(FieldVisitor& visitor, PlugsCase& input) {
 
 void check_bob_weights_case(const BobWeightsCase& input) {
     check_fields(input);
-    check_rules(input);
-    if (input.correction) {
-        bob_weights::check_correction(*input.correction);
-        for (std::size_t run = 0; run < input.correction->earlier_runs.size(); ++run) {
-            const auto& readings = input.correction->earlier_runs[run].readings;
-            for (std::size_t i = 0; i < readings.size(); ++i) {
-                if (!is_read(readings[i])) {
-                    throw InputError("/input/correction/earlier_runs/" + std::to_string(run) +
-                                         "/readings/" + std::to_string(i) + "/" +
-                                         std::string(bob_weights::field::angle.key),
-                                     Text::tr("is required and missing"));
-                }
-            }
-        }
-    }
+    check_rules(input, true);
 }
 
 void check_plugs_case(const PlugsCase& input) {
     check_fields(input);
-    v8_plugs::check_method(*whole_plugs(input), "/input/");
-    bob_weights::check_weigh_in(input, true);
+    check_rules(input, false, "/input/");
 }
 
 BobWeightsCase read_bob_weights_case(const Json& json, Completeness completeness) {
