@@ -19,80 +19,6 @@ bool is_light(double slug_density, double density) {
     return slug_density < minimum * density;
 }
 
-/// Why so much is left.
-Message cause_of(Shortfall shortfall, const Correction& correction, bool beside) {
-    const auto density_of = [](double density) {
-        return Number{density / units::kg_m3, units::kg_m3};
-    };
-    switch (shortfall) {
-        case Shortfall::none:
-            return {};
-        case Shortfall::nothing_fits:
-            return Text::tr(
-                "The smallest hole takes off too much: use a smaller drill or a flatter point.");
-        case Shortfall::rounding:
-            return Text::tr(
-                "Rounding of the depths leaves more than the limit: use a finer step "
-                "or a smaller drill.");
-        case Shortfall::beside_sector:
-            return Text::tr(
-                "The heavy spot is outside the drilling sector; holes at its edge "
-                "take off only a part.");
-        case Shortfall::outside_sector:
-            return Text::tr("The heavy spot is outside the drilling sector.");
-        case Shortfall::light_slugs:
-            return {Text::tr("Slugs of %1 are hardly heavier than the crankshaft metal (%2) of "
-                             "their holes: none are planned."),
-                    density_of(correction.slug->density.value()),
-                    density_of(correction.drill.density)};
-        case Shortfall::short_slugs:
-            return {Text::tr("A slug of %1 of maximum depth is lighter than the crankshaft metal "
-                             "(%2) of its hole with the cone: none are planned."),
-                    density_of(correction.slug->density.value()),
-                    density_of(correction.drill.density)};
-        case Shortfall::too_little_room:
-            return beside ? Text::tr("There is too little room next to the holes of earlier runs.")
-                          : Text::tr("There is too little room for the holes.");
-    }
-    return {};
-}
-
-/// @param can_press   the sector has a place opposite what is left
-/// @param can_deepen  a planned hole is towards what is left
-/// @param beside      holes of earlier runs are in that plane
-/// @param no_slug     why none is pressed in
-Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
-                 const Correction& correction, bool has_slugs, bool can_press, bool can_deepen,
-                 bool beside, const Message& no_slug) {
-    const Message cause = cause_of(shortfall, correction, beside);
-    if (shortfall == Shortfall::none || shortfall == Shortfall::nothing_fits ||
-        shortfall == Shortfall::rounding) {
-        return cause;
-    }
-    const Message remains{Text::tr("Residual: %1 at the drilling radius at %2."),
-                          shop::in_grams(std::abs(left) / *plane.radius),
-                          Number{turn_of(angle) / degree, units::degree, -1}};
-    Message remedy =
-        !can_press && !can_deepen
-            ? Text::tr(
-                  "The opposite side is outside the sector too: widen the sector if there is "
-                  "metal, or as a last resort weld an equal mass on that side.")
-        : !can_press ? Text::tr(
-                           "The opposite side is outside the sector too: drill deeper or "
-                           "wider, or as a last resort weld an equal mass on that side.")
-        : has_slugs  ? Text::tr("As a last resort weld an equal mass on the opposite side.")
-        : can_deepen ? Text::tr(
-                           "Press in heavy metal opposite, drill deeper or wider, or as a "
-                           "last resort weld an equal mass on that side.")
-                     : Text::tr(
-                           "Press in heavy metal opposite, or as a last resort weld an equal "
-                           "mass on that side.");
-    if (can_press && !no_slug.empty()) {
-        remedy = shop::two_sentences(no_slug, remedy);
-    }
-    return {Text{"%1 %2 %3"}, cause, remains, remedy};
-}
-
 /// Why holes and slugs together leave too much.
 Shortfall shortfall_of_both(Shortfall holes, Shortfall slugs) {
     if (holes == Shortfall::outside_sector || holes == Shortfall::beside_sector) {
@@ -125,7 +51,8 @@ class PlanePlanner {
                   correction.drill.minimum_wall,
                   correction.drill.maximum_holes,
                   correction.drill.maximum_angle,
-                  std::nullopt} {
+                  std::nullopt},
+          is_drilled_(!before.empty()) {
         const auto& slug = correction.slug;
         has_slugs_ = slug && slug->diameter && slug->density;
         if (has_slugs_) {
@@ -153,44 +80,45 @@ class PlanePlanner {
         }
     }
 
-    bool has_slugs() const { return has_slugs_; }
-    bool can_press_against(double angle) const { return limits_.allows(turn_of(angle + pi)); }
-
-    /// Why no slug is pressed in at an angle; empty where none is set up, or its metal is the
-    /// reason.
-    Message why_no_slug(double angle, Shortfall shortfall) const {
-        if (!has_slugs_ || shortfall == Shortfall::light_slugs ||
-            shortfall == Shortfall::short_slugs) {
-            return {};
+    /// Why more is left than may be, and what helps.
+    /// @param left  by the plan
+    Message reason(const Planned& planned, Vector left) const {
+        const Message cause = cause_of(planned.shortfall);
+        if (planned.shortfall == Shortfall::none || planned.shortfall == Shortfall::nothing_fits ||
+            planned.shortfall == Shortfall::rounding) {
+            return cause;
         }
-        const HoleLimits limits = beside_all();
-        const double diameter = *correction_.slug->diameter;
-        const Number size{diameter / units::mm, units::mm, -2};
-        const Number place{angle / degree, units::degree, -1};
-        const Number wall{limits.minimum_wall / units::mm, units::mm, -1};
-        switch (room_at(angle, into_, diameter, smallest_hole(limits), limits)) {
-            case NoRoom::too_deep:
-                return {
-                    into_.axial_wall
-                        ? Text::tr("No slug of ⌀ %1 fits: the counterweight is too thin, with "
-                                   "a maximum depth of %2.")
-                        : Text::tr("No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
-                    size, Number{limits.maximum_depth / units::mm, units::mm, -2}};
-            case NoRoom::behind_wall:
-                return {Text::tr("No slug of ⌀ %1 fits: a wall of %2 leaves it no room."), size,
-                        wall};
-            case NoRoom::in_sector:
-                return {Text::tr("No slug of ⌀ %1 fits at %2: its edge would be beyond the "
-                                 "drilling sector."),
-                        size, place};
-            case NoRoom::beside_hole:
-                return {Text::tr("No slug of ⌀ %1 fits at %2: a hole is too near for a wall of "
-                                 "%3."),
-                        size, place, wall};
-            case NoRoom::none:
-                break;
+        const double opposite = turn_of(std::arg(left) + pi);
+        const bool can_press = limits_.allows(opposite);
+        // Across the holes no depth helps.
+        constexpr double maximum = 60.0 * degree;
+        const bool can_deepen = std::ranges::any_of(planned.metal.holes, [&](const Hole& hole) {
+            return std::abs(std::remainder(hole.angle - std::arg(left), 2.0 * pi)) < maximum;
+        });
+        const Message remains{Text::tr("Residual: %1 at the drilling radius at %2."),
+                              shop::in_grams(std::abs(left) / cut_.radius),
+                              Number{turn_of(std::arg(left)) / degree, units::degree, -1}};
+        Message remedy =
+            !can_press && !can_deepen
+                ? Text::tr(
+                      "The opposite side is outside the sector too: widen the sector if there "
+                      "is metal, or as a last resort weld an equal mass on that side.")
+            : !can_press
+                ? Text::tr(
+                      "The opposite side is outside the sector too: drill deeper or wider, or "
+                      "as a last resort weld an equal mass on that side.")
+            : has_slugs_ ? Text::tr("As a last resort weld an equal mass on the opposite side.")
+            : can_deepen
+                ? Text::tr(
+                      "Press in heavy metal opposite, drill deeper or wider, or as a last "
+                      "resort weld an equal mass on that side.")
+                : Text::tr(
+                      "Press in heavy metal opposite, or as a last resort weld an equal mass "
+                      "on that side.");
+        if (const Message no_slug = why_no_slug(opposite, planned); can_press && !no_slug.empty()) {
+            remedy = shop::two_sentences(no_slug, remedy);
         }
-        return {Text::tr("Even the shortest slug of ⌀ %1 adds too much."), size};
+        return {Text{"%1 %2 %3"}, cause, remains, remedy};
     }
 
     TriedRoom room_for(const Hole& hole) const {
@@ -255,6 +183,68 @@ class PlanePlanner {
     }
 
   private:
+    Message cause_of(Shortfall shortfall) const {
+        static constexpr Text causes[] = {
+            {},
+            Text::tr(
+                "The smallest hole takes off too much: use a smaller drill or a flatter point."),
+            Text::tr("There is too little room for the holes."),
+            Text::tr("Rounding of the depths leaves more than the limit: use a finer step or a "
+                     "smaller drill."),
+            Text::tr("The heavy spot is outside the drilling sector."),
+            Text::tr("The heavy spot is outside the drilling sector; holes at its edge take off "
+                     "only a part."),
+            Text::tr(
+                "Slugs of %1 are hardly heavier than the crankshaft metal (%2) of their holes: "
+                "none are planned."),
+            Text::tr("A slug of %1 of maximum depth is lighter than the crankshaft metal (%2) of "
+                     "its hole with the cone: none are planned.")};  // as Shortfall
+        if (shortfall == Shortfall::too_little_room && is_drilled_) {
+            return Text::tr("There is too little room next to the holes of earlier runs.");
+        }
+        const auto density = [](double of) { return Number{of / units::kg_m3, units::kg_m3}; };
+        return {causes[static_cast<std::size_t>(shortfall)],
+                density(into_.slug_density.value_or(0.0)), density(cut_.density)};
+    }
+
+    /// Why no slug is pressed in at an angle; empty where one is planned, none is set up, or its
+    /// metal is the reason.
+    Message why_no_slug(double angle, const Planned& planned) const {
+        if (!has_slugs_ || !planned.metal.slugs.empty() ||
+            planned.shortfall == Shortfall::light_slugs ||
+            planned.shortfall == Shortfall::short_slugs) {
+            return {};
+        }
+        const HoleLimits limits = beside_all();
+        const double diameter = *correction_.slug->diameter;
+        const Number size{diameter / units::mm, units::mm, -2};
+        const Number place{angle / degree, units::degree, -1};
+        const Number wall{limits.minimum_wall / units::mm, units::mm, -1};
+        switch (room_at(angle, into_, diameter, smallest_hole(limits), limits)) {
+            case NoRoom::too_deep:
+                return {
+                    into_.axial_wall
+                        ? Text::tr("No slug of ⌀ %1 fits: the counterweight is too thin, with "
+                                   "a maximum depth of %2.")
+                        : Text::tr("No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
+                    size, Number{limits.maximum_depth / units::mm, units::mm, -2}};
+            case NoRoom::behind_wall:
+                return {Text::tr("No slug of ⌀ %1 fits: a wall of %2 leaves it no room."), size,
+                        wall};
+            case NoRoom::in_sector:
+                return {Text::tr("No slug of ⌀ %1 fits at %2: its edge would be beyond the "
+                                 "drilling sector."),
+                        size, place};
+            case NoRoom::beside_hole:
+                return {Text::tr("No slug of ⌀ %1 fits at %2: a hole is too near for a wall of "
+                                 "%3."),
+                        size, place, wall};
+            case NoRoom::none:
+                break;
+        }
+        return {Text::tr("Even the shortest slug of ⌀ %1 adds too much."), size};
+    }
+
     /// Clear of all that is there.
     HoleLimits beside_all() const {
         HoleLimits limits = limits_;
@@ -387,6 +377,7 @@ class PlanePlanner {
     Cut cut_;
     Cut into_;  ///< of slugs
     HoleLimits limits_;
+    bool is_drilled_;  ///< in earlier runs
     bool has_slugs_ = false;
     std::vector<double> diameters_;
     std::vector<Hole> there_;  ///< that can be deepened
@@ -417,34 +408,23 @@ TriedRoom room_for(const Hole& hole, const Plane& plane, const Correction& corre
 
 PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& correction,
                        const std::optional<double>& permissible, const Metal& before) {
-    PlaneResult result{};
-    result.unbalance = std::abs(unbalance);
-    result.angle = turn_of(std::arg(unbalance));
     const PlanePlanner planner(plane, correction, permissible, before);
     Planned planned = planner.plan(unbalance);
     const Vector left = unbalance + effect_of(planned.metal);
-    result.beyond_sector = planner.beyond_sector(planned.metal);
+    PlaneResult result{std::abs(unbalance),
+                       turn_of(std::arg(unbalance)),
+                       {},
+                       {},
+                       planner.beyond_sector(planned.metal),
+                       std::abs(left),
+                       turn_of(std::arg(left)),
+                       shop::is_within(std::abs(left), permissible),
+                       {}};
+    if (result.within_tolerance != true) {
+        result.reason = planner.reason(planned, left);
+    }
     result.holes = std::move(planned.metal.holes);
     result.slugs = std::move(planned.metal.slugs);
-    result.remaining = std::abs(left);
-    result.remaining_angle = turn_of(std::arg(left));
-    result.within_tolerance = shop::is_within(result.remaining, permissible);
-    if (result.within_tolerance != true) {
-        // Across the holes no depth helps.
-        constexpr double maximum = 60.0 * degree;
-        const bool can_deepen =
-            std::any_of(result.holes.begin(), result.holes.end(), [&](const Hole& hole) {
-                return std::abs(std::remainder(hole.angle - result.remaining_angle, 2.0 * pi)) <
-                       maximum;
-            });
-        result.reason = describe(
-            planned.shortfall, result.remaining, result.remaining_angle, plane, correction,
-            planner.has_slugs(), planner.can_press_against(result.remaining_angle), can_deepen,
-            !before.empty(),
-            result.slugs.empty()
-                ? planner.why_no_slug(turn_of(result.remaining_angle + pi), planned.shortfall)
-                : Message());
-    }
     return result;
 }
 

@@ -21,7 +21,7 @@ const Engine* find_preset(std::string_view name);
 /// the print does not show well enough to tell which of them is the bore.
 PlugSheet printed_plug(std::string_view preset);
 /// True where both the mass and the plug's sizes are those that the paper prints: they do not fit
-/// each other (see PlugMass), and neither was typed or weighed.
+/// each other (see plug_doubt()), and neither was typed or weighed.
 bool is_printed(const Input& input, std::optional<double> Engine::*plug_mass);
 
 }  // namespace ravnoves::v8_plugs

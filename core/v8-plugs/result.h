@@ -60,13 +60,6 @@ struct Advice {
     std::optional<OptionId> with_other_crankshaft{};
 };
 
-/// One material of plug: what its dimensions weigh against the mass in the method.
-struct PlugMass {
-    double geometry;  ///< kg
-    double typed;     ///< kg
-    bool fits;        ///< within mass_mismatch
-};
-
 /// Everything the page, the job card and the result file show. Parts that need values which are
 /// not there yet are empty, so that a form half filled shows what can be known.
 struct Result {
@@ -81,10 +74,6 @@ struct Result {
     std::optional<BobWeight> before;   ///< these parts, the plugs the crankshaft was made for
 
     std::optional<double> weighed_excess;  ///< on a crankpin in the mean, by the weigh-in, kg
-
-    // plug
-    std::optional<PlugMass> steel_plug;
-    std::optional<PlugMass> aluminium_plug;
 
     const std::optional<SolvedOption>& option(OptionId id) const {
         return options.at(static_cast<std::size_t>(id));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include "numerics/demand.h"
 #include "shop/results.h"
@@ -116,20 +115,17 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     number({"slope", Text::tr("Gain"), 3, Text::tr("Compensated by a gram off each plug.")},
            &Option::slope);
     number({"maximum_g", Text::tr("Maximum")}, &Option::maximum);
-    if (option && !solved) {
-        for (const ResultField* field : {&key::required_reduction, &key::reduction, &key::take_off,
-                                         &feasible, &key::residual_mass, &key::residual_unbalance,
-                                         &key::bob_weight_sum, &key::with_plugs_in}) {
-            visitor.nothing(*field);
-        }
-        return;
-    }
-    number(key::required_reduction, &Option::required_reduction);
-    number(key::reduction, &Option::reduction);
+    const auto answer = [&](const ResultField& field, double Option::*member) {
+        visitor.number(field, solved ? std::optional((*solved).*member) : std::nullopt);
+    };
+    answer(key::required_reduction, &Option::required_reduction);
+    answer(key::reduction, &Option::reduction);
     visitor.number(key::take_off, solved ? std::optional(solved->take_off()) : std::nullopt);
-    visitor.flag(feasible, option && option->feasible);
-    number(key::residual_mass, &Option::residual_mass);
-    number(key::residual_unbalance, &Option::residual_unbalance);
+    visitor.flag(feasible, solved   ? std::optional(solved->feasible)
+                           : option ? std::nullopt
+                                    : std::optional(false));
+    answer(key::residual_mass, &Option::residual_mass);
+    answer(key::residual_unbalance, &Option::residual_unbalance);
     const auto grams = [&](const ResultField& field, const std::optional<BobWeight>& of,
                            double (BobWeight::*sum)() const) {
         visitor.number(field, of ? std::optional(((*of).*sum)()) : std::nullopt);
@@ -138,6 +134,8 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     grams(key::with_plugs_in, weight, &BobWeight::with_plugs_in);
     if (!option) {
         visitor.text(reason, Text::tr("the engine has no such plug"));
+    }
+    if (!solved) {
         return;
     }
     const auto crankshaft = needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard;
@@ -197,15 +195,27 @@ void visit_weigh_in(ResultVisitor& visitor, const Input& input, const Result& re
     }
 }
 
-void visit_plug_mass(ResultVisitor& visitor, const ResultField& field,
-                     const std::optional<PlugMass>& mass) {
-    if (mass) {
-        visitor.object(field, [&] {
-            visitor.number({"geometry_mass_g", Text::tr("Mass by the sizes"), 2}, mass->geometry);
-            visitor.number({"entered_mass_g", Text::tr("Mass as entered")}, mass->typed);
-            visitor.flag({"fits", Text::tr("Masses agree")}, mass->fits);
-        });
-    }
+struct Material {
+    ResultField field;
+    Text plug;
+    std::optional<double> Engine::*mass;
+    double PlugSheet::*density;
+};
+constexpr Material materials[] = {{{"steel", Text::tr("Steel")},
+                                   Text::tr("Steel plug"),
+                                   &Engine::steel_plug_mass,
+                                   &PlugSheet::steel_density},
+                                  {{"aluminium", Text::tr("Aluminium")},
+                                   Text::tr("Aluminium plug"),
+                                   &Engine::aluminium_plug_mass,
+                                   &PlugSheet::aluminium_density}};
+
+/// What a plug of the sheet's sizes weighs, kg, where its mass is known too.
+std::optional<double> mass_by_sizes(const Input& input, const Material& material) {
+    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
+    return geometry && !geometry_fault(*geometry) && input.engine.*material.mass
+               ? std::optional(geometry->volume() * *input.plug.*material.density)
+               : std::nullopt;
 }
 
 /// What is to be done, with the bore where there is one.
@@ -291,10 +301,20 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
             visit_weigh_in(visitor, input, result, placing, crank_radius, speed);
         });
     }
-    if (result.steel_plug) {
+    if (mass_by_sizes(input, materials[0])) {
         visitor.object({"plug", Text::tr("Plug")}, [&] {
-            visit_plug_mass(visitor, {"steel", Text::tr("Steel")}, result.steel_plug);
-            visit_plug_mass(visitor, {"aluminium", Text::tr("Aluminium")}, result.aluminium_plug);
+            for (const Material& each : materials) {
+                const auto mass = mass_by_sizes(input, each);
+                if (!mass) {
+                    continue;
+                }
+                const double entered = (input.engine.*each.mass).value();
+                visitor.object(each.field, [&] {
+                    visitor.number({"geometry_mass_g", Text::tr("Mass by the sizes"), 2}, *mass);
+                    visitor.number({"entered_mass_g", Text::tr("Mass as entered")}, entered);
+                    visitor.flag({"fits", Text::tr("Masses agree")}, mass_fits(entered, *mass));
+                });
+            }
         });
     }
 }
@@ -406,29 +426,26 @@ Verdict verdict_of_plugs(const Input& input, const Result& result) {
 PlugDoubt plug_doubt(const Input& input, const Result& result) {
     const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
     const bool solid = geometry && geometry->bore_depth <= 0.0;
-    const std::tuple<const std::optional<PlugMass>&, std::optional<double> Engine::*, Text>
-        plugs[] = {
-            {result.steel_plug, &Engine::steel_plug_mass, Text::tr("Steel plug")},
-            {result.aluminium_plug, &Engine::aluminium_plug_mass, Text::tr("Aluminium plug")}};
     const auto& advice = result.advice;
     const bool takes_aluminium = advice && advice->option && !has_steel_plugs(*advice->option);
     PlugDoubt doubt;
-    for (const auto& [mass, member, name] : plugs) {
-        if (!mass || mass->fits) {
+    for (const Material& each : materials) {
+        const auto mass = mass_by_sizes(input, each);
+        const double entered = (input.engine.*each.mass).value_or(0.0);
+        if (!mass || mass_fits(entered, *mass)) {
             continue;
         }
         PlugDoubt found;
-        if (is_printed(input, member)) {
+        if (is_printed(input, each.mass)) {
             found = {Text::tr("The plug mass is from the paper: weigh the plugs."),
-                     advice && (member == &Engine::steel_plug_mass || takes_aluminium)};
+                     advice && (each.mass == &Engine::steel_plug_mass || takes_aluminium)};
         } else {
             found = {{solid ? Text::tr("%1: %2 entered, but a solid plug of these dimensions "
                                        "weighs %3. Enter its bore or weigh the plug.")
                             : Text::tr("%1: %2 entered, but a plug of these dimensions weighs "
                                        "%3. Weigh the plug."),
-                      name, in_grams(mass->typed),
-                      Number{mass->geometry / units::gram, units::gram, -1}},
-                     !solid || mass->typed > mass->geometry};
+                      each.plug, in_grams(entered), Number{*mass / units::gram, units::gram, -1}},
+                     !solid || entered > *mass};
         }
         if (doubt.text.empty() || (found.is_certain && !doubt.is_certain)) {
             doubt = std::move(found);

@@ -10,11 +10,6 @@ PlugMaterial material_of(OptionId id) {
     return has_steel_plugs(id) ? PlugMaterial::steel : PlugMaterial::aluminium;
 }
 
-PlugMass plug_mass(double typed, const PlugGeometry& geometry, double density) {
-    const double weighs = geometry.volume() * density;
-    return {weighs, typed, mass_fits(typed, weighs)};
-}
-
 /// What follows from the plug's sizes and its cutter.
 void solve_plug(const Input& input, Result& result) {
     const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
@@ -36,17 +31,6 @@ void solve_plug(const Input& input, Result& result) {
             }
         }
         option->shift = shift_effect(*option, input.tolerance, setup);
-    }
-    if (!geometry || fault) {
-        return;
-    }
-    if (input.engine.steel_plug_mass) {
-        result.steel_plug =
-            plug_mass(*input.engine.steel_plug_mass, *geometry, input.plug->steel_density);
-    }
-    if (input.engine.aluminium_plug_mass) {
-        result.aluminium_plug =
-            plug_mass(*input.engine.aluminium_plug_mass, *geometry, input.plug->aluminium_density);
     }
 }
 
