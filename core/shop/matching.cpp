@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numeric>
 
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
@@ -28,6 +27,44 @@ std::vector<double> differences(const PartColumn& column, std::size_t count) {
         list[i] = *column.mass[i] - found->mean;
     }
     return list;
+}
+
+/// Whether a part changes its cylinder with its set.
+bool moves_with_set(const MatchingRules& rules, Part part) {
+    const PartMoves moves = part == Part::pin      ? rules.pins
+                            : part == Part::rings  ? rules.rings
+                            : part == Part::shells ? rules.shells
+                                                   : PartMoves::with_set;
+    return moves == PartMoves::with_set;
+}
+
+/// What the crank lacks, so that it is not known what the engine feels; empty where that is known.
+Message crank_fault(const Crank& crank) {
+    if (crank.has_banks && !crank.bank_angle) {
+        return Text::tr("the bank angle is missing");
+    }
+    if (crank.angles.size() != static_cast<std::size_t>(crank.angle_count())) {
+        return {Text::tr("enter %1 angles of the crankpins"), crank.angle_count()};
+    }
+    if (crank.bank_offset != 0.0 && !crank.spacing) {
+        return Text::tr("the bank offset needs the cylinder spacing");
+    }
+    return {};
+}
+
+/// The placing, as in Matched, that returns each set to where it was weighed.
+std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet) {
+    const std::size_t cylinders = sheet.columns.front().mass.size();
+    std::array<std::vector<int>, 2> from;
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+        const SetNumbers numbers =
+            whole_numbers(kind == 0 ? sheet.piston_sets : sheet.rod_sets, cylinders);
+        from[kind].resize(cylinders);
+        for (std::size_t i = 0; i < cylinders; ++i) {
+            from[kind].at(static_cast<std::size_t>(numbers.at(i)) - 1) = static_cast<int>(i);
+        }
+    }
+    return from;
 }
 
 /// A number of each set of both kinds and, last, of what stays in its place.
@@ -171,19 +208,6 @@ void Crank::follow(const WeighIn& sheet) {
     }
 }
 
-Message crank_fault(const Crank& crank) {
-    if (crank.has_banks && !crank.bank_angle) {
-        return Text::tr("the bank angle is missing");
-    }
-    if (crank.angles.size() != static_cast<std::size_t>(crank.angle_count())) {
-        return {Text::tr("enter %1 angles of the crankpins"), crank.angle_count()};
-    }
-    if (crank.bank_offset != 0.0 && !crank.spacing) {
-        return Text::tr("the bank offset needs the cylinder spacing");
-    }
-    return {};
-}
-
 std::vector<CylinderPlace> places_of(const Crank& crank) {
     std::vector<CylinderPlace> places;
     const int half = (crank.cylinders + 1) / 2;
@@ -204,22 +228,6 @@ std::vector<CylinderPlace> places_of(const Crank& crank) {
         places.push_back(place);
     }
     return places;
-}
-
-bool moves_with_set(const MatchingRules& rules, Part part) {
-    switch (part) {
-        case Part::pin:
-            return rules.pins == PartMoves::with_set;
-        case Part::rings:
-            return rules.rings == PartMoves::with_set;
-        case Part::shells:
-            return rules.shells == PartMoves::with_set;
-        case Part::piston:
-        case Part::rod_big_end:
-        case Part::rod_small_end:
-            return true;
-    }
-    return true;
 }
 
 std::vector<int> part_numbers(const WeighIn& sheet, Part part) {
@@ -282,20 +290,6 @@ Placed placed_by(const MatchingTask& task, const std::array<std::vector<int>, 2>
     return placed;
 }
 
-std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet) {
-    const std::size_t cylinders = sheet.columns.front().mass.size();
-    std::array<std::vector<int>, 2> from;
-    for (std::size_t kind = 0; kind < 2; ++kind) {
-        const SetNumbers numbers =
-            whole_numbers(kind == 0 ? sheet.piston_sets : sheet.rod_sets, cylinders);
-        from[kind].resize(cylinders);
-        for (std::size_t i = 0; i < cylinders; ++i) {
-            from[kind].at(static_cast<std::size_t>(numbers.at(i)) - 1) = static_cast<int>(i);
-        }
-    }
-    return from;
-}
-
 std::optional<Matched> match(const MatchingTask& task) {
     const MatchingRules& rules = task.sheet.matching;
     const auto n = static_cast<std::size_t>(task.crank.cylinders);
@@ -333,12 +327,7 @@ std::optional<Matched> match(const MatchingTask& task) {
     matched.rods = found.from[1];
     matched.moved = found.moved;
     matched.proven = found.proven;
-    std::array<std::vector<int>, 2> as_it_is;
-    for (auto& kind : as_it_is) {
-        kind.resize(n);
-        std::iota(kind.begin(), kind.end(), 0);
-    }
-    matched.before = placed_by(task, as_it_is);
+    matched.before = placed_by(task, unmoved_sets(n));
     matched.after = placed_by(task, found.from);
     matched.as_weighed =
         task.sheet.is_moved() ? placed_by(task, where_weighed(task.sheet)) : matched.before;

@@ -45,8 +45,6 @@ struct Crank {
     void follow(const WeighIn& sheet);
 };
 
-/// What the crank lacks, so that it is not known what the engine feels; empty where that is known.
-Message crank_fault(const Crank& crank);
 /// By cylinder. Crankpins of a throw at φ ∓ δ/2 for axes at ±γ/2, the first bank first.
 std::vector<CylinderPlace> places_of(const Crank& crank);
 
@@ -98,8 +96,6 @@ struct Matched {
 /// The best placing by the sheet's rules; see best_placing() for the proof. Empty without a column.
 std::optional<Matched> match(const MatchingTask& task);
 
-/// Whether a part changes its cylinder with its set.
-bool moves_with_set(const MatchingRules& rules, Part part);
 /// By cylinder, the number of the part that is there: of the cylinder, from 1, that it was weighed
 /// in.
 std::vector<int> part_numbers(const WeighIn& sheet, Part part);
@@ -110,8 +106,6 @@ void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vecto
 /// Sets of which nothing is weighed any more lose their numbers.
 void forget_sets(WeighIn& sheet);
 
-/// The placing, as in Matched, that returns each set to where it was weighed.
-std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet);
 /// The sheet with all parts where they were weighed.
 void move_back(WeighIn& sheet);
 

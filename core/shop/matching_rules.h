@@ -5,10 +5,6 @@
 
 #include "case-file/field.h"
 
-namespace ravnoves {
-class FieldVisitor;
-}
-
 namespace ravnoves::shop {
 
 /// What the matching of weighed parts aims at.
@@ -123,9 +119,5 @@ inline constexpr Field matching_crank_radius{
     .placeholder = Text::tr("no force")};
 
 }  // namespace field
-
-/// The object "matching" of a weigh-in, written where one of its fields is changed.
-/// @param asks_radius  the scene's engine does not say its crank radius
-void visit_matching(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius);
 
 }  // namespace ravnoves::shop

@@ -16,27 +16,24 @@ void visit_shaking(ResultVisitor& visitor, const ResultField& field, const Shaki
                    bool spacing_known, const std::optional<double>& radius,
                    const std::optional<double>& speed) {
     visitor.object(field, [&] {
+        const auto couple = [&](const ResultField& of, double value) {
+            if (spacing_known) {
+                visitor.number(of, value);
+            }
+        };
         visitor.number({"force_g", Text::tr("Force, mass at the crank radius"), 2}, shaking.force);
         visitor.number({"rms_at_ends_g", Text::tr("RMS at the ends"), 2}, shaking.ends);
-        if (spacing_known) {
-            visitor.number({"couple_g_mm", Text::tr("Couple, mass at the crank radius"), 1},
-                           shaking.couple);
+        couple({"couple_g_mm", Text::tr("Couple, mass at the crank radius"), 1}, shaking.couple);
+        if (radius) {
+            visitor.number({"force_g_mm", Text::tr("Force, unbalance"), 1},
+                           shaking.force * *radius);
+            couple({"couple_g_mm2", Text::tr("Couple, unbalance"), 0}, shaking.couple * *radius);
         }
-        if (!radius) {
-            return;
-        }
-        visitor.number({"force_g_mm", Text::tr("Force, unbalance"), 1}, shaking.force * *radius);
-        if (spacing_known) {
-            visitor.number({"couple_g_mm2", Text::tr("Couple, unbalance"), 0},
-                           shaking.couple * *radius);
-        }
-        if (speed) {
+        if (radius && speed) {
             visitor.number({"force_N", Text::tr("Force"), 1},
                            shaking.force * *radius * *speed * *speed);
-            if (spacing_known) {
-                visitor.number({"couple_Nm", Text::tr("Couple"), 2},
-                               shaking.couple * *radius * *speed * *speed);
-            }
+            couple({"couple_Nm", Text::tr("Couple"), 2},
+                   shaking.couple * *radius * *speed * *speed);
         }
     });
 }

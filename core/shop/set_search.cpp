@@ -41,10 +41,12 @@ const double* adds_of(const SetSearch& search, std::size_t kind, int set, std::s
                 .adds[(static_cast<std::size_t>(set) * search.places + place) * search.dimensions];
 }
 
-int moved_of(const std::vector<int>& from) {
+int moved_of(const From& from) {
     int moved = 0;
-    for (std::size_t place = 0; place < from.size(); ++place) {
-        moved += from[place] != static_cast<int>(place) ? 1 : 0;
+    for (const auto& kind : from) {
+        for (std::size_t place = 0; place < kind.size(); ++place) {
+            moved += kind[place] != static_cast<int>(place) ? 1 : 0;
+        }
     }
     return moved;
 }
@@ -87,11 +89,11 @@ class Exchanges {
     bool has_work() const { return work_ > 0 && !pairs_.empty(); }
     /// The best exchange, and again, as long as one helps.
     Rank improve(From& from) {
-        Rank best{size_of(search_, from), moved_of(from[0]) + moved_of(from[1])};
+        Rank best{size_of(search_, from), moved_of(from)};
         for (bool helps = true; helps && has_work();) {
             helps = false;
             const Values sum = sum_of(search_, from);
-            const int moved = moved_of(from[0]) + moved_of(from[1]);
+            const int moved = moved_of(from);
             Pair step{};
             for (const Pair& pair : pairs_) {
                 const Rank rank = exchanged(from, sum, moved, pair);
@@ -347,11 +349,7 @@ void compare_all(const SetSearch& search, From& best_from, Rank& best) {
 }
 
 SetsFound find_placing(const SetSearch& search) {
-    From as_it_is;
-    for (auto& kind : as_it_is) {
-        kind.resize(search.places);
-        std::iota(kind.begin(), kind.end(), 0);
-    }
+    const From as_it_is = unmoved_sets(search.places);
     const bool can_try_all =
         std::all_of(search.kinds.begin(), search.kinds.end(),
                     [](const SetKind& kind) { return placings_of(kind) <= max_placings; });
@@ -376,6 +374,12 @@ SetsFound find_placing(const SetSearch& search) {
 }
 
 }  // namespace
+
+From unmoved_sets(std::size_t places) {
+    std::vector<int> each(places);
+    std::iota(each.begin(), each.end(), 0);
+    return {each, each};
+}
 
 std::vector<double> sum_of(const SetSearch& search, const std::array<std::vector<int>, 2>& from) {
     Values sum = search.fixed;

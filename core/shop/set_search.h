@@ -39,6 +39,8 @@ struct SetsFound {
     int moved = 0;                         ///< sets that change their place
 };
 
+/// By place of both kinds, where every set stays.
+std::array<std::vector<int>, 2> unmoved_sets(std::size_t places);
 /// What a placing adds up to.
 std::vector<double> sum_of(const SetSearch& search, const std::array<std::vector<int>, 2>& from);
 double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& from);

@@ -18,19 +18,6 @@ Coefficients coefficients(const Engine& engine) {
                                 : std::nullopt};
 }
 
-bool has_steel_plugs(OptionId option) {
-    return option != OptionId::steel_to_aluminium && option != OptionId::new_steel_to_aluminium;
-}
-
-bool has_new_plugs(OptionId option) {
-    return option == OptionId::new_steel_machined;
-}
-
-bool needs_new_crankshaft(OptionId option) {
-    return option == OptionId::new_steel_to_steel || option == OptionId::new_steel_machined ||
-           option == OptionId::new_steel_to_aluminium;
-}
-
 std::optional<Option> evaluate_option(OptionId id, const Engine& engine, double unbalanced_mass,
                                       double tolerance) {
     const bool steel = has_steel_plugs(id);

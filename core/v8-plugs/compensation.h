@@ -67,11 +67,17 @@ constexpr const Word& option_word(OptionId option) {
     return option_words[static_cast<std::size_t>(option)];
 }
 /// True where the option's plugs are of steel, present or new ones; false where of aluminium.
-bool has_steel_plugs(OptionId option);
+constexpr bool has_steel_plugs(OptionId option) {
+    return option != OptionId::steel_to_aluminium && option != OptionId::new_steel_to_aluminium;
+}
 /// True for plugs of the new design, not the present ones in steel or aluminium.
-bool has_new_plugs(OptionId option);
+constexpr bool has_new_plugs(OptionId option) {
+    return option == OptionId::new_steel_machined;
+}
 /// True where the option is for a crankshaft made for the plugs of the new design.
-bool needs_new_crankshaft(OptionId option);
+constexpr bool needs_new_crankshaft(OptionId option) {
+    return option >= OptionId::new_steel_to_steel;
+}
 
 /// One way to compensate: constant + slope · reduction, the reduction from 0 to its limit.
 struct Option {

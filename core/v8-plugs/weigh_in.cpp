@@ -40,20 +40,11 @@ std::optional<double> nominal_rotating(const WeighIn& sheet) {
 }
 
 double MassChanges::*change_of(Part part, Process process) {
-    const bool repair = process == Process::repair;
-    switch (part) {
-        case Part::piston:
-        case Part::rings:
-            return repair ? &MassChanges::repair_piston_and_rings : &MassChanges::piston;
-        case Part::pin:
-        case Part::rod_small_end:
-            return &MassChanges::piston;
-        case Part::rod_big_end:
-            return &MassChanges::rod_big_end;
-        case Part::shells:
-            return &MassChanges::repair_bearing;
-    }
-    return nullptr;
+    const bool is_renewed = part == Part::piston || part == Part::rings;
+    return part == Part::rod_big_end                  ? &MassChanges::rod_big_end
+           : part == Part::shells                     ? &MassChanges::repair_bearing
+           : is_renewed && process == Process::repair ? &MassChanges::repair_piston_and_rings
+                                                      : &MassChanges::piston;
 }
 
 bool is_weighed(const WeighIn& sheet, Process process, double MassChanges::*change) {
