@@ -40,7 +40,7 @@ TEST_F(PlugsModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     // For the other crankshaft, in brackets; 4.3225 − 6.25281 g times 40 mm.
     EXPECT_EQ(rows.at(4).texts(),
               (QStringList{u"(✗) New crankshaft, aluminium plugs"_s, u"6.253"_s, u"2.360"_s,
-                           u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
+                           u"7.867"_s, u"0.000"_s, u"−1.930"_s, u"−77.2"_s}));
     EXPECT_EQ(model.optionResults().columns.size(), rows.at(0).size());
     EXPECT_TRUE(rows.at(4).tip.startsWith(u"For the other crankshaft."_s));
     model.editPlugs(u"crankshaft"_s, [](auto& input) { input.crankshaft = Crankshaft::new_plugs; });
