@@ -429,7 +429,7 @@ class Deepener {
         present_.assign(all_.size(), 0);
     }
 
-    DeepeningPlan plan(double enough, double limit) const {
+    HolePlan plan(double enough, double limit) const {
         Depths best = present_;
         // One hole, two, and then any two of them at a time as long as that helps.
         for (const std::size_t count : {1, 2, 3}) {
@@ -438,10 +438,10 @@ class Deepener {
                 best = found;
             }
             if (left(best) <= std::max(enough, std::min(steps_of(best), limit))) {
-                return {deepened(best), true};
+                return {deepened(best), left(best), Shortfall::none};
             }
         }
-        return {deepened(best), false};
+        return {deepened(best), left(best), Shortfall::too_little_room};
     }
 
   private:
@@ -640,9 +640,8 @@ class Deepener {
 
 }  // namespace
 
-DeepeningPlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
-                             const Cut& cut, const HoleLimits& limits, double enough,
-                             double limit) {
+HolePlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
+                        const Cut& cut, const HoleLimits& limits, double enough, double limit) {
     return Deepener(unbalance, holes, cut, limits).plan(enough, limit);
 }
 

@@ -149,13 +149,9 @@ double deepest_hole(double diameter, const Cut& cut, const HoleLimits& limits);
 /// @param enough     permissible residual, kg·m; the residual of the steps of the depths is enough,
 ///                   too, within the limit
 /// @param limit      kg·m; infinity where unknown
-/// @return the deepened ones, with mass and unbalance of the difference; and whether that is enough
-struct DeepeningPlan {
-    std::vector<Hole> holes;
-    bool is_enough = false;
-};
-DeepeningPlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
-                             const Cut& cut, const HoleLimits& limits, double enough, double limit);
+/// @return the deepened ones, with mass and unbalance of the difference
+HolePlan plan_deepening(std::complex<double> unbalance, const std::vector<Hole>& holes,
+                        const Cut& cut, const HoleLimits& limits, double enough, double limit);
 
 /// The two vectors U₁, U₂ at z₁, z₂ of the same force and moment as those at other positions.
 std::array<std::complex<double>, 2> carried_over(

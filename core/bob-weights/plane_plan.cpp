@@ -136,14 +136,14 @@ class PlanePlanner {
         // Another hole is worth its while where more than half of the limit would be left, to be
         // deepened where it is more than a tenth.
         const bool to_zero = correction_.aim == Aim::zero;
-        const DeepeningPlan deeper =
+        const HolePlan deeper =
             correction_.deepens
                 ? plan_deepening(unbalance, there_, cut_, limits_,
                                  to_zero ? 0.1 * tolerance_ : tolerance_,
                                  has_limit() ? tolerance_ : std::numeric_limits<double>::infinity())
-                : DeepeningPlan{};
+                : HolePlan{{}, std::abs(unbalance), Shortfall::too_little_room};
         const double good = std::max(to_zero ? 0.5 * tolerance_ : tolerance_, 0.0);
-        if (deeper.is_enough || std::abs(unbalance + effect_of({deeper.holes, {}})) <= good) {
+        if (deeper.shortfall == Shortfall::none || deeper.left <= good) {
             return {{deeper.holes, {}}, Shortfall::none};
         }
         HoleLimits limits = limits_;

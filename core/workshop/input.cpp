@@ -304,8 +304,6 @@ Input read_input(const Json& json, Completeness completeness) {
     Input input = read_fields<Input>(json, completeness);
     if (completeness == Completeness::required) {
         check_input(input);
-    } else {
-        bob_weights::fit_weigh_in(input);
     }
     return input;
 }

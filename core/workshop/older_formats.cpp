@@ -120,8 +120,6 @@ BobWeightsCase read_bob_weights_case(const Json& json, Completeness completeness
     auto input = read_fields<BobWeightsCase>(whole, completeness);
     if (completeness == Completeness::required) {
         check_bob_weights_case(input);
-    } else {
-        bob_weights::fit_weigh_in(input);
     }
     if (input.correction) {
         input.correction->deepens = false;

@@ -14,9 +14,10 @@ namespace ravnoves::workshop {
 namespace {
 
 using bob_weights::Cut;
-using bob_weights::DeepeningPlan;
 using bob_weights::Hole;
 using bob_weights::HoleLimits;
+using bob_weights::HolePlan;
+using bob_weights::Shortfall;
 using test::at;
 using test::card;
 using test::number;
@@ -120,7 +121,7 @@ TEST(Deepening, RemovesTheDifferenceAndNoDepthsLeaveLess) {
     int deepened = 0;
     for (int i = 0; i < 200; ++i) {
         const State state = random_state(generator);
-        const DeepeningPlan plan =
+        const HolePlan plan =
             plan_deepening(state.unbalance, state.holes, state.cut, state.limits, -1.0, INFINITY);
         std::vector<double> depths;
         for (const Hole& hole : state.holes) {
@@ -143,7 +144,9 @@ TEST(Deepening, RemovesTheDifferenceAndNoDepthsLeaveLess) {
         const double minimum = min_left(state, tried);
         const double left = left_by(state, depths);
         // What is enough is within the steps; what is not is the smallest.
-        EXPECT_LE(left, plan.is_enough ? std::max(steps, minimum) : minimum + 1e-9) << i;
+        EXPECT_LE(left,
+                  plan.shortfall == Shortfall::none ? std::max(steps, minimum) : minimum + 1e-9)
+            << i;
         EXPECT_LE(left, std::abs(state.unbalance)) << i;
     }
     EXPECT_GT(deepened, 100);
@@ -155,10 +158,10 @@ TEST(Deepening, TakesOneHoleWhereThatIsEnough) {
     for (const double angle : {0.0, 0.6, -0.6}) {
         state.holes.push_back({0.014, 0.008, angle, 0.0, 0.0});
     }
-    const DeepeningPlan plan =
+    const HolePlan plan =
         plan_deepening(state.unbalance, state.holes, state.cut, state.limits, 50e-6, 50e-6);
     ASSERT_EQ(plan.holes.size(), 1U);
-    EXPECT_TRUE(plan.is_enough);
+    EXPECT_EQ(plan.shortfall, Shortfall::none);
     EXPECT_EQ(plan.holes[0].angle, 0.0);
     // A hole a quarter turn away is none that helps.
     state.holes = {{0.014, 0.008, 0.5 * pi, 0.0, 0.0}};
