@@ -13,6 +13,8 @@ double DrilledHole::turned(double value) const {
 std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction,
                               std::size_t run, const std::array<Metal, 2>& before) {
     std::array<Metal, 2> drilled;
+    const Drill& drill = correction.drill;
+    const bool is_recorded = !before[0].holes.empty() || !before[1].holes.empty();
     for (std::size_t i = 0; i < holes.size(); ++i) {
         const DrilledHole& hole = holes[i];
         if (hole.state == HoleState::not_drilled || !hole.depths_agree()) {
@@ -20,28 +22,21 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
         }
         const auto plane = static_cast<std::size_t>(hole.plane);
         const double radius = correction.planes.at(plane).radius.value_or(0.0);
-        const Drill& drill = correction.drill;
-        const bool is_axial = hole.is_slug() && hole.direction == SlugDirection::axial;
-        const auto cut_with = [&](double point_angle) {
-            return Cut{radius, drill.density, point_angle, std::nullopt,
-                       is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
-        };
         const bool is_measured = hole.state == HoleState::measured;
-        const bool is_opposite = hole.state == HoleState::wrong_side;
-        const double angle = turn_of(hole.turned(hole.angle));
-        Hole made{hole.diameter, hole.depth, angle, 0.0, 0.0};
+        Hole made{hole.diameter, hole.depth, turn_of(hole.turned(hole.angle)), 0.0, 0.0};
+        made.deepens = Hole::Place{run, i};
+        made.is_axial = hole.is_slug() && hole.direction == SlugDirection::axial;
+        const Cut cut{radius, drill.density, drill.point_angle, std::nullopt,
+                      made.is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
         // Elsewhere than the hole that it was to deepen it is a new one, gone in all its depth.
         // Where no hole is recorded there was one all the same.
-        const auto& there = before[plane].holes;
-        const bool is_recorded = !before[0].holes.empty() || !before[1].holes.empty();
-        const bool is_elsewhere =
-            is_opposite || (is_measured && is_recorded &&
-                            std::none_of(there.begin(), there.end(), [&](const Hole& each) {
-                                return are_one_hole(each, made, radius);
-                            }));
+        const bool is_elsewhere = hole.state == HoleState::wrong_side ||
+                                  (is_measured && is_recorded &&
+                                   std::ranges::none_of(before[plane].holes, [&](const Hole& each) {
+                                       return are_one_hole(each, made, radius);
+                                   }));
         made.from_depth = is_elsewhere ? 0.0 : hole.from_depth;
         // What the hole alone took off, by its sizes.
-        const Cut cut = cut_with(drill.point_angle);
         Removed removed = cut.removed(hole.diameter, hole.depth);
         if (made.from_depth > 0.0) {
             const Removed shallow = cut.removed(hole.diameter, made.from_depth);
@@ -51,8 +46,6 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
         const double lever =
             radius > 0.0 && removed.mass > 0.0 ? removed.unbalance / removed.mass : radius;
         const bool by_sizes = !hole.mass || is_measured || made.from_depth != hole.from_depth;
-        made.deepens = Hole::Place{run, i};
-        made.is_axial = is_axial;
         if (!hole.is_slug()) {
             made.mass = by_sizes ? removed.mass : *hole.mass;
             made.unbalance = made.mass * lever;
@@ -64,7 +57,7 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
         const double slug = hole.slug.value_or(added);
         made.mass = added;
         made.slug = hole.slug.value_or(0.0);
-        made.slug_radius = cut_with(pi).lever(hole.diameter, hole.depth);
+        made.slug_radius = cut.lever(hole.diameter, hole.depth);
         made.unbalance = radius > 0.0 ? slug * made.slug_radius - (slug - added) * lever : 0.0;
         drilled[plane].slugs.push_back(made);
     }

@@ -20,22 +20,22 @@ void read_engine_values(ObjectReader& reader, Engine& engine) {
     };
     for (const EngineGroup group : {EngineGroup::aluminium_plug, EngineGroup::new_plug}) {
         std::string_view null_key;
+        std::string_view given;
         for (const EngineField& each : engine_fields()) {
             if (each.group == group && is_null(each)) {
                 null_key = each.field.key;
+            } else if (each.group == group && reader.has(each.field.key) && given.empty()) {
+                given = each.field.key;
             }
         }
-        if (null_key.empty()) {
-            continue;
+        if (!null_key.empty() && !given.empty()) {
+            throw InputError(reader.pointer_to(given),
+                             {Text::tr("must be null or left out where %1 is null"), null_key},
+                             show(reader.raw(given)));
         }
-        for (const EngineField& each : engine_fields()) {
-            if (each.group == group && reader.has(each.field.key) && !is_null(each)) {
-                throw InputError(reader.pointer_to(each.field.key),
-                                 {Text::tr("must be null or left out where %1 is null"), null_key},
-                                 show(reader.raw(each.field.key)));
-            }
+        if (!null_key.empty()) {
+            set_plugs(engine, group, false);
         }
-        set_plugs(engine, group, false);
     }
     for (const EngineField& each : engine_fields()) {
         if (!is_inapplicable(engine, each.group) && reader.has(each.field.key)) {
