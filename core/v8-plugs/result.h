@@ -20,8 +20,8 @@ struct SolvedOption : Option {
     bool works() const { return feasible && hindrance.empty(); }
     /// Works only as long as the shift is neglected.
     bool by_method_alone() const { return shift && shift->matters; }
-    /// Mass to take off each plug, kg: by the method, or with the shift where that matters; what
-    /// the plug allows of it.
+    /// Mass to take off each plug, kg: by the method, or with the shift where that matters; within
+    /// the limits of the plug.
     double take_off() const { return by_method_alone() ? shift->reduction : reduction; }
     /// One plug as the option fits it, kg, and the radius of its centre of mass, m. With less off
     /// than the method counts it is heavier, and its centre nearer to the crank axis.

@@ -511,7 +511,7 @@
         <translation>предел для одной, %1</translation>
     </message>
     <message>
-        <source>works, shift counted</source>
+        <source>works, shift included</source>
         <translation>годится, смещение учтено</translation>
     </message>
 </context>
@@ -17150,8 +17150,8 @@ but at this l no α is feasible</source>
         <translation>Остаточный дисбаланс, масса на радиус кривошипа</translation>
     </message>
     <message>
-        <source>The take-off counts the shift; by the method alone up to %1 would remain.</source>
-        <translation>Снимаемая масса учитывает смещение; только по методу осталось бы до %1.</translation>
+        <source>The take-off includes the shift; the method alone would leave up to %1.</source>
+        <translation>Снимаемая масса учитывает смещение; один метод оставил бы до %1.</translation>
     </message>
     <message>
         <source>Maximum off a plug: %1; slope kᵤ = %2, %3°.</source>
@@ -17230,8 +17230,8 @@ but at this l no α is feasible</source>
         <translation>Введите резьбу и высоту, чтобы увидеть массу заглушки.</translation>
     </message>
     <message>
-        <source>Option; ✓ sufficient, ✗ not sufficient, ! with the shift counted</source>
-        <translation>Вариант; ✓ достаточно, ✗ недостаточно, ! с учётом смещения</translation>
+        <source>Option; ✓ sufficient, ✗ not sufficient, ! shift included</source>
+        <translation>Вариант; ✓ достаточно, ✗ недостаточно, ! смещение учтено</translation>
     </message>
     <message>
         <source>Mass compensated without boring, kₚ times the mass difference of the plugs</source>

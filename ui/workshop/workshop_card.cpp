@@ -286,7 +286,7 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
         }
         const QString verdict = !option->works() ? words.translate("JobCard", "does not work")
                                 : option->by_method_alone()
-                                    ? words.translate("JobCard", "works, shift counted")
+                                    ? words.translate("JobCard", "works, shift included")
                                     : words.translate("JobCard", "works");
         options.table.rows << ResultRow{
             v8_text::optionName(words, id), words.cell(option->take_off(), units::gram, 3),

@@ -292,7 +292,7 @@ TEST_F(JobCardTest, AnAnswerByTheMethodAloneIsNoFact) {
         EXPECT_TRUE(has(text, u"The method neglects"_s));
         EXPECT_FALSE(text.contains(u"9.46 g each"_s));
         EXPECT_FALSE(text.contains(u"balanced:"_s));
-        EXPECT_TRUE(has(text, u"works, shift counted"_s));
+        EXPECT_TRUE(has(text, u"works, shift included"_s));
         WorkshopModel model({});
         model.loadInput(input, {});
         EXPECT_TRUE(has(model.checkText(),

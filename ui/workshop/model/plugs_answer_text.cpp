@@ -191,7 +191,7 @@ QString WorkshopModel::plugWeightText() const {
 
 Results WorkshopModel::optionResults() const {
     Results results{{
-        {tr("Option"), tr("Option; ✓ sufficient, ✗ not sufficient, ! with the shift counted")},
+        {tr("Option"), tr("Option; ✓ sufficient, ✗ not sufficient, ! shift included")},
         {shownTitle(tr("fixed part, g")).text,
          tr("Mass compensated without boring, kₚ times the mass difference of the plugs")},
         {tr("gain"), tr("Mass compensated per gram taken off each plug")},
@@ -242,7 +242,7 @@ QString WorkshopModel::optionTip(const SolvedOption& option) const {
         text << tr("For the other crankshaft.");
     }
     if (option.by_method_alone()) {
-        text << tr("The take-off counts the shift; by the method alone up to %1 would remain.")
+        text << tr("The take-off includes the shift; the method alone would leave up to %1.")
                     .arg(gramMillimetres(Words(), std::abs(option.shift->residual_unbalance)));
     }
     text << QStringList{
