@@ -307,5 +307,13 @@ BearingPlaces places_of_bearings(const Input& input);
 /// Checks what joins the fields of engine and factor.
 /// @throws InputError
 void check_bob_weight(const Input& input);
+/// Parts and weigh-in; with plugs the parts count by their nominal masses.
+/// @throws InputError
+void check_parts(const Input& input, bool has_plugs);
+/// @param is_planned  the newest readings are to be made a plan of holes
+/// @param is_older    of the format bob-weights: each reading has its angle
+/// @throws InputError
+void check_correction(const Correction& correction, bool is_planned, bool is_older);
+void check_tolerance(const Tolerance& tolerance);
 
 }  // namespace ravnoves::bob_weights

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -48,11 +49,13 @@ bool differ(double a, double b, double times) {
 }
 
 /// "1, 2, 5"
+void add_to(Message& list, const Message& each) {
+    list = list.empty() ? each : joined(list, each);
+}
 Message cylinders(const std::vector<std::size_t>& list) {
     Message text;
     for (const std::size_t cylinder : list) {
-        const Message number = Number{static_cast<double>(cylinder + 1)};
-        text = text.empty() ? number : joined(text, number);
+        add_to(text, Number{static_cast<double>(cylinder + 1)});
     }
     return text;
 }
@@ -320,8 +323,7 @@ void taken_as_nominal(DoubtSearch& job) {
     Message names;
     for (const Part part : shop::all_parts) {
         if (is_nominal(job, part)) {
-            const Message name = shop::part_word(part).label;
-            names = names.empty() ? name : joined(names, name);
+            add_to(names, shop::part_word(part).label);
         }
     }
     if (!names.empty()) {
@@ -437,20 +439,15 @@ void unlike_halves(DoubtSearch& job) {
 /// kg·m. What was measured is elsewhere than planned, and says nothing of it.
 double lengthened(const bob_weights::RunResult& run, const bob_weights::EarlierRun& earlier,
                   std::size_t plane) {
-    double sum = 0.0;
-    const auto add = [&](const std::vector<bob_weights::Hole>& holes, double sign) {
-        for (const bob_weights::Hole& hole : holes) {
+    bob_weights::Metal planned = run.drilled[plane];
+    for (auto* metal : {&planned.holes, &planned.slugs}) {
+        for (bob_weights::Hole& hole : *metal) {
             const auto state = (*earlier.drilled)[hole.deepens->hole].state;
-            const double side = state == bob_weights::HoleState::wrong_side ? -1.0 : 1.0;
-            if (state != bob_weights::HoleState::measured) {
-                sum +=
-                    sign * side * hole.unbalance * std::cos(hole.angle - *run.planes[plane]->angle);
-            }
+            hole.unbalance = state == bob_weights::HoleState::measured ? 0.0 : hole.unbalance;
+            hole.angle += state == bob_weights::HoleState::wrong_side ? pi : 0.0;
         }
-    };
-    add(run.drilled[plane].holes, -1.0);
-    add(run.drilled[plane].slugs, 1.0);
-    return sum;
+    }
+    return std::real(effect_of(planned) * std::polar(1.0, -*run.planes[plane]->angle));
 }
 
 /// Holes are planned at the heavy spot: where they are opposite it now, what the machine shows has
@@ -693,19 +690,15 @@ void service_speed(DoubtSearch& job) {
 }
 
 void bearings(DoubtSearch& job) {
-    switch (bob_weights::places_of_bearings(job.input)) {
-        case bob_weights::BearingPlaces::reversed:
-            job.say(
-                Text::tr("The bearings are in reverse order to the planes. Measure all positions "
-                         "from one point in one direction."));
-            break;
-        case bob_weights::BearingPlaces::centre_beyond:
-            job.say(
-                Text::tr("The centre of mass is not between the bearings (or planes). Correct its "
-                         "position."));
-            break;
-        case bob_weights::BearingPlaces::plausible:
-            break;
+    const auto places = bob_weights::places_of_bearings(job.input);
+    if (places == bob_weights::BearingPlaces::reversed) {
+        job.say(
+            Text::tr("The bearings are in reverse order to the planes. Measure all positions "
+                     "from one point in one direction."));
+    } else if (places == bob_weights::BearingPlaces::centre_beyond) {
+        job.say(
+            Text::tr("The centre of mass is not between the bearings (or planes). Correct its "
+                     "position."));
     }
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "bob-weights/matching.h"
 #include "bob-weights/solver.h"
 #include "case-file/field_visitor.h"
 #include "case-file/field_writer.h"
@@ -40,30 +39,6 @@ struct PlaneNames final : FieldVisitor::Custom {
     std::array<std::string, 2>& names;
 };
 
-[[noreturn]] void missing(const std::string& where) {
-    throw InputError(where, Text::tr("is required and missing"));
-}
-
-void need(const std::string& place, const Field& field, const std::optional<double>& value) {
-    if (!value) {
-        missing(place + std::string(field.key));
-    }
-}
-
-void check_two(std::size_t count, const std::string& place) {
-    if (count != 2) {
-        throw InputError(place, Text::tr("must be a list of two"),
-                         Number{static_cast<double>(count)});
-    }
-}
-
-void check_weigh_in(const Input& input) {
-    if (input.weigh_in) {
-        shop::check_weighed(*bob_weights::fitted(input).weigh_in, input.plugs.has_value());
-        shop::check_matching(input.weigh_in->matching, crank_of(input).angle_count());
-    }
-}
-
 void check_plugs(const Input& input, const std::string& place) {
     if (!may_have_plugs(input.engine)) {
         throw InputError("/input/plugs",
@@ -81,149 +56,6 @@ void check_plugs(const Input& input, const std::string& place) {
         reject(field::factor);
     }
     v8_plugs::check_method(*whole_plugs(input), place);
-}
-
-void check_parts(const Input& input) {
-    for (const bob_weights::PartField& each : bob_weights::part_fields()) {
-        if (each.is_needed()) {
-            need("/input/parts_g/", each.field, mass_of(input, each));
-        }
-    }
-}
-
-constexpr const char* correction_place = "/input/correction/";
-
-void check_planned(const Correction& correction) {
-    const std::string place = correction_place;
-    check_two(correction.planes.size(), place + "planes");
-    check_two(correction.readings.size(), place + "readings");
-    for (std::size_t i = 0; i < 2; ++i) {
-        const bob_weights::Plane& plane = correction.planes[i];
-        const std::string at = place + "planes/" + std::to_string(i) + "/";
-        need(at, field::plane_position, plane.position);
-        need(at, field::plane_radius, plane.radius);
-        if (plane.from_angle || plane.to_angle) {
-            need(at, field::from_angle, plane.from_angle);
-            need(at, field::to_angle, plane.to_angle);
-        }
-        const bob_weights::Reading& reading = correction.readings[i];
-        const std::string reading_at = place + "readings/" + std::to_string(i) + "/";
-        need(reading_at, field::unbalance, reading.unbalance);
-        if (!is_read(reading)) {
-            need(reading_at, field::angle, reading.angle);
-        }
-    }
-    const auto apart = [&](const char* list, const Field& field, double first, double second) {
-        if (first == second) {
-            throw InputError(place + list + "/1/" + std::string(field.key),
-                             Text::tr("must differ from the first"),
-                             Number{from_si(field, second)});
-        }
-    };
-    const auto read_at = [&](std::size_t i) {
-        return correction.readings[i].position.value_or(*correction.planes[i].position);
-    };
-    apart("planes", field::plane_position, *correction.planes[0].position,
-          *correction.planes[1].position);
-    apart("readings", field::reading_position, read_at(0), read_at(1));
-    if (correction.drill.diameters_mm.empty()) {
-        missing(place + "drill/" + std::string(field::diameters.key));
-    }
-    need(place + "drill/", field::maximum_depth, correction.drill.maximum_depth);
-    if (correction.slug) {
-        const bob_weights::Slug& slug = *correction.slug;
-        need(place + "slug/", field::slug_diameter, slug.diameter);
-        need(place + "slug/", field::slug_density, slug.density);
-        if (*slug.density <= correction.drill.density) {
-            throw InputError(place + "slug/" + std::string(field::slug_density.key),
-                             {Text::tr("must be greater than the crankshaft's %1"),
-                              from_si(field::density, correction.drill.density)},
-                             Number{from_si(field::slug_density, *slug.density)});
-        }
-    }
-}
-
-void check_drilled(const bob_weights::DrillingRecord& record, const std::string& at) {
-    for (std::size_t i = 0; record.drilled && i < record.drilled->size(); ++i) {
-        const bob_weights::DrilledHole& hole = (*record.drilled)[i];
-        if (!hole.depths_agree()) {
-            throw InputError(at + std::string(field::drilled.key) + "/" + std::to_string(i) + "/" +
-                                 std::string(field::drilled_from_depth.key),
-                             {Text::tr("must be less than the depth, %1"),
-                              from_si(field::drilled_depth, hole.depth)},
-                             Number{from_si(field::drilled_from_depth, hole.from_depth)});
-        }
-    }
-}
-
-void check_runs(const Correction& correction, bool is_older) {
-    const auto& runs = correction.earlier_runs;
-    const std::string place = correction_place + std::string(field::earlier_runs.key);
-    if (runs.size() >= bob_weights::max_runs) {
-        throw InputError(place,
-                         {Text::tr("must be a list of at most %1"), bob_weights::max_runs - 1},
-                         Number{static_cast<double>(runs.size())});
-    }
-    check_drilled(correction.record, correction_place);
-    for (std::size_t run = 0; run < runs.size(); ++run) {
-        const auto& readings = runs[run].readings;
-        const std::string of_run = place + "/" + std::to_string(run) + "/";
-        const std::string at = of_run + std::string(field::readings.key);
-        check_drilled(runs[run], of_run);
-        if (!readings.empty()) {
-            check_two(readings.size(), at);
-        }
-        for (std::size_t i = 0; i < readings.size(); ++i) {
-            need(at + "/" + std::to_string(i) + "/", field::unbalance, readings[i].unbalance);
-            if (is_older && !is_read(readings[i])) {
-                missing(at + "/" + std::to_string(i) + "/" + std::string(field::angle.key));
-            }
-        }
-    }
-}
-
-void check_correction(const Correction& correction, bool is_older) {
-    const auto check_count = [&](const Field& field, std::size_t count) {
-        if (count != 0) {
-            check_two(count, correction_place + std::string(field.key));
-        }
-    };
-    check_count(field::planes, correction.planes.size());
-    check_count(field::readings, correction.readings.size());
-    const bool is_drilled = std::ranges::any_of(correction.earlier_runs, [](const auto& run) {
-        return run.drilled && !run.drilled->empty();
-    });
-    if (is_older || is_planned(correction)) {
-        check_planned(correction);
-    } else if (is_drilled && correction.planes.empty()) {
-        missing(correction_place + std::string(field::planes.key));
-    }
-    check_runs(correction, is_older);
-}
-
-void check_tolerance(const bob_weights::Tolerance& tolerance) {
-    const std::string place = "/input/tolerance/";
-    if (tolerance.by_grade) {
-        need(place, field::grade, tolerance.grade);
-        need(place, field::rotor_mass, tolerance.rotor_mass);
-        need(place, field::service_speed, tolerance.service_speed);
-    } else {
-        need(place, field::plane_tolerance, tolerance.plane);
-    }
-    if (tolerance.front_bearing || tolerance.rear_bearing) {
-        need(place, field::front_bearing, tolerance.front_bearing);
-        need(place, field::rear_bearing, tolerance.rear_bearing);
-    }
-    if (tolerance.front_bearing && *tolerance.front_bearing == *tolerance.rear_bearing) {
-        throw InputError(place + std::string(field::rear_bearing.key),
-                         Text::tr("must differ from the first"),
-                         Number{from_si(field::rear_bearing, *tolerance.rear_bearing)});
-    }
-    if (tolerance.front_share != 0.5 && (tolerance.centre_of_mass || tolerance.front_bearing)) {
-        throw InputError(place + std::string(field::front_share.key),
-                         Text::tr("must be left out if centre of mass or bearings are given"),
-                         Number{tolerance.front_share});
-    }
 }
 
 }  // namespace
@@ -321,17 +153,16 @@ void check_input(const Input& input) {
 
 void check_rules(const Input& input, bool is_older, const std::string& plugs) {
     bob_weights::check_bob_weight(input);
-    check_weigh_in(input);
+    bob_weights::check_parts(input, input.plugs.has_value());
     if (input.plugs) {
         check_plugs(input, plugs);
-    } else {
-        check_parts(input);
     }
     if (input.correction) {
-        check_correction(*input.correction, is_older);
+        const Correction& correction = *input.correction;
+        bob_weights::check_correction(correction, is_older || is_planned(correction), is_older);
     }
     if (input.tolerance) {
-        check_tolerance(*input.tolerance);
+        bob_weights::check_tolerance(*input.tolerance);
     }
 }
 
