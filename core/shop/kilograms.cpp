@@ -84,7 +84,6 @@ std::optional<OddMass> odd_mass(const PartColumn& column) {
         const double maximum = others.size() < 3 ? 3.0 : 1.1;
         const double away = std::abs(std::log(*masses[i] / usual));
         constexpr double min_scatter = 1e-4;  // of a mass: what scales read
-        constexpr double max_score = 6.0;
         constexpr double rounding = 1e-9;
         constexpr double min_away = 0.01;
         const double off = std::abs(*masses[i] - usual);

@@ -35,12 +35,15 @@ struct OddMass {
     /// All of them, in order.
     std::vector<std::size_t> cylinders() const;
 };
+/// Scatters that a part may be away from the others of its kind; beyond them it is a slip.
+inline constexpr double max_score = 6.0;
+
 /// The mass that is farthest from the others, where that is by more than a tenth: parts of one
 /// engine differ by a few percent; of four or more also by more than a hundredth, more than the
-/// permitted spread and more than six times the scatter of the others; where several are, by more
-/// than three hundredths, unless they are more than a third. Of two or three, whose median says
-/// little, by a factor of more than 3, as from a misplaced decimal sign; of two the one that is
-/// farther from the nominal mass, or the heavier one. Empty without one; 0 is no mass.
+/// permitted spread and more than max_score times the scatter of the others; where several are, by
+/// more than three hundredths, unless they are more than a third. Of two or three, whose median
+/// says little, by a factor of more than 3, as from a misplaced decimal sign; of two the one that
+/// is farther from the nominal mass, or the heavier one. Empty without one; 0 is no mass.
 std::optional<OddMass> odd_mass(const PartColumn& column);
 
 /// Cylinders, counted from 0, whose rod weighs less at its big end than at its small one: no rod

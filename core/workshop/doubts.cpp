@@ -150,28 +150,22 @@ void odd_mass(DoubtSearch& job) {
         if (!odd || is_in_kilograms(part, column)) {
             return;
         }
-        constexpr double maximum = 10.0;
         const Text text =
             !odd->also.empty()
                 ? Text::tr(
                       "%1: cylinders %2 differ from the others (%3, others %4). Weigh them "
                       "again or match the parts.")
-            : !odd->score
-                ? Text::tr("%1: cylinder %2 weighs %3, the others about %4. Weigh it again.")
-            : *odd->score > maximum
+            : odd->score > shop::max_score
                 ? Text::tr(
                       "%1: cylinder %2 weighs %3, the others about %4; the deviation is more "
                       "than %5 times their scatter. Weigh it again or match the parts.")
-                : Text::tr(
-                      "%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 "
-                      "times their scatter. Weigh it again or match the parts.");
-        const Message said{
-            text,
-            shop::part_word(part).label,
-            cylinders(odd->cylinders()),
-            in_grams(odd->mass),
-            in_grams(odd->usual),
-            Number{std::min(odd->score.value_or(0.0), maximum), units::none, -1, false, true}};
+                : Text::tr("%1: cylinder %2 weighs %3, the others about %4. Weigh it again.");
+        const Message said{text,
+                           shop::part_word(part).label,
+                           cylinders(odd->cylinders()),
+                           in_grams(odd->mass),
+                           in_grams(odd->usual),
+                           shop::max_score};
         if (odd->may_be_permitted) {
             job.say(shop::two_sentences(
                 said, Text::tr("If the difference is permitted, enter the “permitted range” of the "

@@ -8917,10 +8917,6 @@
         <translation>Масло</translation>
     </message>
     <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again or match the parts.</source>
-        <translation>%1: цилиндр %2 — %3, остальные около %4; отношение отклонения к их разбросу %5. Взвесьте снова или подберите детали.</translation>
-    </message>
-    <message>
         <source>%1: cylinder %2 weighs %3, the others about %4. Weigh it again.</source>
         <translation>%1: цилиндр %2 — %3, остальные около %4. Взвесьте снова.</translation>
     </message>
