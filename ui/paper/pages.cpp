@@ -357,7 +357,7 @@ bool printPaper(const Paper& paper, QPagedPaintDevice& device) {
     // than A4, one on its side much more: the page shrinks to it, in the middle.
     const bool isLetter = layout.pageSize().id() == QPageSize::Letter &&
                           layout.orientation() == QPageLayout::Portrait &&
-                          !paper.body.contains(paper::blankLines);
+                          !paper.isWrittenOn;
     const QSizeF laid = isLetter ? sheet.size() : a4;
     const double scale =
         std::min({1.0, sheet.width() / laid.width(), sheet.height() / laid.height()});

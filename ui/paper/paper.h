@@ -62,6 +62,7 @@ struct Paper {
     QString language;  ///< code
     QString body;      ///< HTML
     std::vector<paper::Drawing> drawings = {};
+    bool isWrittenOn = false;  ///< its first page is a form, which must be whole
 
     /// Keeps the drawing; @return the HTML of its place, within a line
     QString picture(const paper::Drawing& drawing);

@@ -358,6 +358,7 @@ class Card {
         paper_.title = words_.translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
                        QString::fromStdString(model_.input().job.engine_number);
         paper_.foot = QSettings().value(shopKey).toString();
+        paper_.isWrittenOn = true;
         paper_.pageOf = words_.translate("JobCard", "Page %1 of %2");
         paper_.body = head() + answer();
         forTheMachine();
