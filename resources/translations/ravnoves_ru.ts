@@ -495,8 +495,12 @@
         <translation>Не принято, используется прежнее значение: %1</translation>
     </message>
     <message>
-        <source>Do not drill or machine: holes and plug work are not printed until these entries are corrected.</source>
-        <translation>Не сверлить и не растачивать: отверстия и работа с заглушками не печатаются, пока эти значения не исправлены.</translation>
+        <source>No bob weight, holes or plug work are printed until these entries are corrected: %1</source>
+        <translation>Груз, отверстия и работа с заглушками не печатаются, пока не исправлены эти значения: %1</translation>
+    </message>
+    <message>
+        <source>Entries not accepted: %1</source>
+        <translation>Значения не приняты: %1</translation>
     </message>
     <message>
         <source>Options by cost</source>
@@ -16928,12 +16932,12 @@ but at this l no α is feasible</source>
         <translation>Сколько снять с каждой детали до самой лёгкой</translation>
     </message>
     <message>
-        <source>%1, nominal mass, g</source>
-        <translation>%1, номинальная масса, г</translation>
+        <source>%1, nominal mass</source>
+        <translation>%1, номинальная масса</translation>
     </message>
     <message>
-        <source>%1 of cylinder %2, g</source>
-        <translation>%1, цилиндр %2, г</translation>
+        <source>%1 of cylinder %2</source>
+        <translation>%1, цилиндр %2</translation>
     </message>
     <message>
         <source>%1: mass by the drawing.</source>
@@ -16944,16 +16948,8 @@ but at this l no α is feasible</source>
         <translation>номинал, г</translation>
     </message>
     <message>
-        <source>%1, nominal</source>
-        <translation>%1, номинал</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1, permitted range, g</source>
-        <translation>%1, допустимый размах, г</translation>
+        <source>%1, permitted range</source>
+        <translation>%1, допустимый размах</translation>
     </message>
     <message>
         <source>%1: permitted heaviest minus lightest, by the works manual. Blank means no limit.</source>
@@ -16966,10 +16962,6 @@ but at this l no α is feasible</source>
     <message>
         <source>permitted range, g</source>
         <translation>допустимый размах, г</translation>
-    </message>
-    <message>
-        <source>%1, range</source>
-        <translation>%1, размах</translation>
     </message>
 </context>
 <context>

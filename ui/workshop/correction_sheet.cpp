@@ -278,8 +278,9 @@ void CorrectionSheet::addHoleRow() {
         return made;
     };
     const auto numberOf = [&](const Field& field, double DrilledHole::*member, const char* key) {
-        NumberField* made = cell(
-            field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1), fieldName(field));
+        NumberField* made =
+            cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1),
+                 [&field](const Words& words) { return words.name(field); });
         made->setMinimumWidth(Theme::withText(50));
         constexpr int seen = 5;  // of an angle that was planned
         made->setDigits(seen);

@@ -90,18 +90,6 @@ void MachineSheet::addHold() {
     follow([this] { hold_->setVisible(isDoubtful()); });
 }
 
-/// A cell whose name follows that of its plane.
-NumberField* MachineSheet::cellOfPlane(const Field& field, const QString& key,
-                                       const std::function<QString()>& name) {
-    NumberField* made = cell(field, key, name());
-    follow([made, name] {
-        if (made->accessibleName() != name()) {
-            made->setAccessibleName(name());
-        }
-    });
-    return made;
-}
-
 void MachineSheet::buildPlanes() {
     section(tr("Planes"));
     const auto sheet = this->grid({QString(), QString(), QString()});
@@ -117,11 +105,11 @@ void MachineSheet::buildPlanes() {
         label->setFont(Theme::font(Theme::smallSize));
         grid->addWidget(label, at, 0);
         for (std::size_t plane = 0; plane < 2; ++plane) {
-            const auto name = [this, plane, label = fieldName(field)] {
-                return model_->planeName(plane) + QStringLiteral(": ") + label;
+            const auto name = [this, plane, &field](const Words& words) {
+                return model_->planeName(plane, words) + QStringLiteral(": ") + words.name(field);
             };
-            NumberField* made = cellOfPlane(
-                field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
+            NumberField* made =
+                cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
             bind(
                 made, field,
                 [this, get, plane] {
@@ -132,7 +120,7 @@ void MachineSheet::buildPlanes() {
                 },
                 [this, get, plane, name](Value value) {
                     model_->editCorrection(
-                        name(), [&](Correction& correction) { get(correction, plane) = value; });
+                        name({}), [&](Correction& correction) { get(correction, plane) = value; });
                 });
             trouble->watch(made);
             grid->addWidget(made, at, static_cast<int>(plane) + 1);
@@ -179,19 +167,18 @@ void MachineSheet::buildRuns() {
         for (std::size_t plane = 0; plane < 2; ++plane) {
             for (const bool isAngle : {false, true}) {
                 const Field& field = isAngle ? field::angle : field::unbalance;
-                const auto name = [this, plane, isAngle,
-                                   ofRun = WorkshopModel::runName(words, run)] {
-                    return ofRun + QStringLiteral(", ") + model_->planeName(plane) +
-                           QStringLiteral(": ") +
-                           (isAngle ? WorkshopModel::spotName({}, model_->input().machine)
-                                    : fieldName(field::unbalance));
+                const auto name = [this, run, plane, isAngle](const Words& words) {
+                    return WorkshopModel::runName(words, run) + QStringLiteral(", ") +
+                           model_->planeName(plane, words) + QStringLiteral(": ") +
+                           (isAngle ? WorkshopModel::spotName(words, model_->input().machine)
+                                    : words.name(field::unbalance));
                 };
                 const QString key =
                     QStringLiteral("%1_%2")
                         .arg(isAngle ? QStringLiteral("angle") : QStringLiteral("unbalance"))
                         .arg(plane + 1);
-                NumberField* made = ordered(cellOfPlane(
-                    field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
+                NumberField* made = ordered(
+                    cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
                 readings_ << made;
                 if (!isAngle) {
                     made->setLever([this, plane]() -> std::optional<double> {
@@ -209,12 +196,12 @@ void MachineSheet::buildRuns() {
                     made, field,
                     [this, run, plane, isAngle] { return model_->reading(run, plane, isAngle); },
                     [this, run, plane, isAngle, name](std::optional<double> value) {
-                        model_->editReading(name(), run, plane, isAngle, value);
+                        model_->editReading(name({}), run, plane, isAngle, value);
                     });
                 // What is typed again is read again, be it the same number.
                 connect(made, &QLineEdit::textEdited, this, [=, this] {
                     if (made->isDoubtful() && made->trouble().isEmpty()) {
-                        model_->editReading(name(), run, plane, isAngle,
+                        model_->editReading(name({}), run, plane, isAngle,
                                             model_->reading(run, plane, isAngle));
                     }
                 });

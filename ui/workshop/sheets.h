@@ -98,8 +98,6 @@ class MachineSheet : public WorkshopSheet {
     void buildPlanes();
     void buildTolerance();
     void buildMachine();
-    NumberField* cellOfPlane(const Field& field, const QString& key,
-                             const std::function<QString()>& name);
     void followNames(QGridLayout* grid, const std::vector<std::pair<int, int>>& columns,
                      const QStringList& units);
 

@@ -161,7 +161,6 @@ void WeighInSheet::addColumn(int column) {
 NumberField* WeighInSheet::addCell(int row, int column) {
     const Field& description = WorkshopModel::weightField(row);
     const Word& word = shop::part_word(shop::all_parts[static_cast<std::size_t>(column)]);
-    const QString part = shownText(word.label);
     const QString key = QString::fromStdString(std::string(word.word));
     // A text with %1 for the part and %2 for the cylinder; the first two are of the rows above.
     const auto of = [row](const QString& whose, const QString& nominal, const QString& spread,
@@ -170,14 +169,16 @@ NumberField* WeighInSheet::addCell(int row, int column) {
                : row == 1 ? spread.arg(whose)
                           : cylinder.arg(whose).arg(row - WorkshopModel::firstCylinder + 1);
     };
-    NumberField* field =
-        ordered(cell(description,
-                     of(key, QStringLiteral("nominal_%1"), QStringLiteral("spread_%1"),
-                        QStringLiteral("mass_%1_%2")),
-                     shownTitle(of(part, tr("%1, nominal mass, g"), tr("%1, permitted range, g"),
-                                   tr("%1 of cylinder %2, g")))
-                         .text));
-    field->setHint(of(part, tr("%1: mass by the drawing."),
+    const auto name = [of, label = word.label](const Words& words) {
+        return of(words.text(label), words.translate("ravnoves::WeighInSheet", "%1, nominal mass"),
+                  words.translate("ravnoves::WeighInSheet", "%1, permitted range"),
+                  words.translate("ravnoves::WeighInSheet", "%1 of cylinder %2"));
+    };
+    NumberField* field = ordered(cell(description,
+                                      of(key, QStringLiteral("nominal_%1"),
+                                         QStringLiteral("spread_%1"), QStringLiteral("mass_%1_%2")),
+                                      name));
+    field->setHint(of(shownText(word.label), tr("%1: mass by the drawing."),
                       tr("%1: permitted heaviest minus lightest, by the works manual. Blank means "
                          "no limit."),
                       tr("%1 of cylinder %2 by the scale.")));
@@ -191,8 +192,9 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     field->setDecimals(2 + shownUnit(description.unit).decimals);
     bind(
         field, description, [this, row, column] { return model_->weight(row, column); },
-        [this, row, column, step = of(part, tr("%1, nominal"), tr("%1, range"), tr("%1 %2"))](
-            std::optional<double> mass) { model_->setWeight(step, row, column, mass); });
+        [this, row, column, name](std::optional<double> mass) {
+            model_->setWeight(name({}), row, column, mass);
+        });
     trouble_->watch(field);
     cells_.push_back(field);
     follow([this, field, row] { field->setVisible(row < model_->weightRows()); });

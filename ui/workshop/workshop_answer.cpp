@@ -50,8 +50,10 @@ WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
     weight->addWidget(buildDetails());
     column->addWidget(weight_);
     column->addStretch();
-    connect(model_, &SceneModel::changed, this, &WorkshopAnswer::showAnswer);
-    setRejected({});
+    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+        connect(model_, signal, this, &WorkshopAnswer::showAnswer);
+    }
+    showAnswer();
 }
 
 QLabel* WorkshopAnswer::say(QVBoxLayout* column, const char* id, int pixelSize, Ink ink,
@@ -188,11 +190,6 @@ QWidget* WorkshopAnswer::buildCorrection() {
     return panel;
 }
 
-void WorkshopAnswer::setRejected(const QStringList& rejected) {
-    showOrHide(said_["rejected"], rejectedNote(Words(), rejected));
-    showAnswer();
-}
-
 void WorkshopAnswer::setOfMachine(bool isOfMachine) {
     isOfMachine_ = isOfMachine;
     showAnswer();
@@ -207,7 +204,7 @@ void WorkshopAnswer::showAnswer() {
     }
     const bool known = model_->solution().bob_weight.has_value();
     const bool isStopped = model_->withheld().bob_weight;
-    const bool isStale = !said_.at("rejected")->text().isEmpty();
+    const bool isStale = model_->isOutdated();
     // What is still missing is no sentence for the display size.
     QLabel* headline = said_.at("headline");
     headline->setFont(

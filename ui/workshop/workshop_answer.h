@@ -21,8 +21,6 @@ class WorkshopAnswer : public QWidget {
   public:
     explicit WorkshopAnswer(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// Entries that the form rejects now: the answer is of the values before them.
-    void setRejected(const QStringList& rejected);
     /// Beside the sheets of machine and correction their answer is the first, and the bob weight's
     /// is left out.
     void setOfMachine(bool isOfMachine);

@@ -66,7 +66,11 @@ struct Block {
     void say(const QString& text, const QString& colour = ink) {
         notes += lines(text, 11, colour == amber, colour);
     }
+    /// Nothing of a table without rows.
     QString html() const {
+        if (table.rows.isEmpty()) {
+            return {};
+        }
         paper::Table shown = paper::tableOf(table);
         shown.widths = widths;
         shown.numbers = QVector<bool>(widths.size(), true);
@@ -125,8 +129,7 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
 }
 
 /// What the machine read, run by run, and lines for what it will read.
-/// @param isJudged  false: the newest readings may be others, they have no verdict
-Block runBlock(const Words& words, const WorkshopModel& model, bool isJudged) {
+Block runBlock(const Words& words, const WorkshopModel& model) {
     const std::optional<Correction>& correction = model.input().correction;
     const auto& runs = model.solution().runs;
     const std::size_t first = first_run(correction);
@@ -148,7 +151,7 @@ Block runBlock(const Words& words, const WorkshopModel& model, bool isJudged) {
                     : reading.angle ? words.digits(*reading.angle, units::degree, 1)
                                     : byHand);
         }
-        const QString verdict = run < runs.size() && (isJudged || run + 1 < runs.size())
+        const QString verdict = run < runs.size()
                                     ? verdictText(words, readWord(runs[run], runs[run].passes()))
                                     : QString();
         row << (verdict.isEmpty() ? byHand : verdict);
@@ -343,16 +346,9 @@ QString across(const QString& rows) {
 
 class Card {
   public:
-    Card(const WorkshopModel& model, const Words& words, const QStringList& rejected,
-         const QStringList& ofResult)
-        : model_(model), words_(words), rejectedOfResult_(rejectedNote(words, ofResult)) {
-        QStringList others = rejected;
-        others.removeIf([&](const QString& each) { return ofResult.contains(each); });
-        if (!others.isEmpty()) {
-            rejected_ = words.translate("JobCard", "Not accepted, the previous value is used: %1")
-                            .arg(others.join(QLatin1Char(' ')));
-        }
-    }
+    /// @param rejected  entries that no result depends on
+    Card(const WorkshopModel& model, const Words& words, const QStringList& rejected)
+        : model_(model), words_(words), rejected_(rejected) {}
 
     Paper make() {
         paper_.title = words_.translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
@@ -405,11 +401,11 @@ class Card {
         constexpr int largest = 35;
         const workshop::Withheld withheld = model_.withheld();
         const QString verdict =
-            withheld.any() || isOutdated() ? QString() : verdictText(words_, model_.verdictNow());
-        const QString colour = withheld.any() ? red : !rejectedOfResult_.isEmpty() ? amber : ink;
+            withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
+        const QString colour = withheld.any() ? red : ink;
         const bool isKnown = model_.solution().bob_weight.has_value();
         QStringList more{isKnown && !model_.hasPlugs() ? model_.factorText(words_) : QString(),
-                         isOutdated() ? QString() : model_.boringText(words_)};
+                         model_.boringText(words_)};
         if (model_.isMean()) {
             more << model_.placedText(words_);
         }
@@ -424,15 +420,8 @@ class Card {
                                              : 16,
                          true, colour) +
                    lines(model_.hangText(words_), 15) + lines(verdict, large, true) +
-                   lines(isOutdated() ? QString() : model_.adviceText(words_), 16, true) +
-                   lines(more.join(QLatin1Char(' ')), 11) +
-                   lines(rejectedOfResult_, 13, true, amber);
-        if (isOutdated()) {
-            content += lines(words_.translate("JobCard",
-                                              "Do not drill or machine: holes and plug work are "
-                                              "not printed until these entries are corrected."),
-                             13, true, red);
-        }
+                   lines(model_.adviceText(words_), 16, true) +
+                   lines(more.join(QLatin1Char(' ')), 11);
         for (const QString& each : model_.troubles(words_, true)) {
             content += lines(each, 13, true, amber);
         }
@@ -440,19 +429,6 @@ class Card {
                                                       "padding: 4px 11px; border: %1px solid %2")
                                            .arg(colour == ink ? 1 : 4)
                                            .arg(colour)));
-    }
-
-    /// An entry that results depend on is rejected: holes and plugs by the value before it would
-    /// be machined wrong.
-    bool isOutdated() const { return !rejectedOfResult_.isEmpty(); }
-
-    /// The crankshaft, with holes to drill if the card may have them.
-    Result shaft() const {
-        Result shaft = model_.solution();
-        if (isOutdated()) {
-            shaft.correction.reset();
-        }
-        return shaft;
     }
 
     /// Each plane as a clock with its holes below.
@@ -463,27 +439,27 @@ class Card {
         for (std::size_t plane = 0; plane < 2; ++plane) {
             names << lines(model_.planeName(plane, words_), 14, true);
             const QSize size(320, 164);
-            pictures << paper_.picture(
-                {{}, {}, size, [&model = model_, shaft = shaft(), plane, size](QPainter& painter) {
-                     const QColor black(ink);
-                     const QColor hair(0x99, 0x99, 0x99);
-                     drawPlane(painter, QRectF(QPointF(), size), {model.input(), shaft, plane},
-                               {.line = black,
-                                .thin = hair,
-                                .text = black,
-                                .hole = black,
-                                .slug = QColor(grey),
-                                .reading = QColor(amber),
-                                .limit = QColor(grey),
-                                .fits = black,
-                                .exceeds = QColor(amber),
-                                .font = Theme::font(9),
-                                .lineWidth = 1.1});
-                 }});
-            if (isOutdated()) {
-                holes << QString();
-                continue;
-            }
+            pictures << paper_.picture({{},
+                                        {},
+                                        size,
+                                        [input = model_.input(), shaft = model_.solution(), plane,
+                                         size](QPainter& painter) {
+                                            const QColor black(ink);
+                                            const QColor hair(0x99, 0x99, 0x99);
+                                            drawPlane(painter, QRectF(QPointF(), size),
+                                                      {input, shaft, plane},
+                                                      {.line = black,
+                                                       .thin = hair,
+                                                       .text = black,
+                                                       .hole = black,
+                                                       .slug = QColor(grey),
+                                                       .reading = QColor(amber),
+                                                       .limit = QColor(grey),
+                                                       .fits = black,
+                                                       .exceeds = QColor(amber),
+                                                       .font = Theme::font(9),
+                                                       .lineWidth = 1.1});
+                                        }});
             Results found = model_.holeResults(words_, plane);
             paper::Table table = paper::tableOf(found);
             table.widths = {36, 26, 16, 22};
@@ -502,7 +478,7 @@ class Card {
 
     /// The first page, with room to write on and lines to sign on.
     void forTheMachine() {
-        const Result shaft = this->shaft();
+        const Result& shaft = model_.solution();
         const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
                                           [](const RunResult& run) { return run.is_drilled(); });
         const bool hasClocks = shaft.correction || hasMetal;
@@ -524,7 +500,7 @@ class Card {
             blocks.back().say(model_.holeNote(words_) + QLatin1Char(' ') +
                               model_.metalsText(words_));
         }
-        blocks.push_back(runBlock(words_, model_, !isOutdated()));
+        blocks.push_back(runBlock(words_, model_));
         blocks.back().say(model_.limitText(words_));
         const std::optional<Correction>& correction = model_.input().correction;
         if (correction && correction->planes.size() == 2 && correction->readings.size() == 2) {
@@ -533,8 +509,13 @@ class Card {
         for (const Block& block : blocks) {
             paper_.body += block.html();
         }
-        paper_.body += lines(rejected_, 11, true, amber) +
-                       paper::heading(words_.translate("JobCard", "Notes"), 2) +
+        if (!rejected_.isEmpty()) {
+            paper_.body +=
+                lines(words_.translate("JobCard", "Not accepted, the previous value is used: %1")
+                          .arg(rejected_.join(QLatin1Char(' '))),
+                      11, true, amber);
+        }
+        paper_.body += paper::heading(words_.translate("JobCard", "Notes"), 2) +
                        lines(QString::fromStdString(model_.input().job.notes).simplified(), 11) +
                        paper::blankLines;
         QStringList captions{words_.translate("JobCard", "Technician, signature"),
@@ -570,7 +551,7 @@ class Card {
             }
         }
         std::vector<Block> blocks;
-        if (model_.plugs() != nullptr && !isOutdated()) {
+        if (model_.plugs() != nullptr) {
             blocks = plugBlocks(words_, model_);
         }
         std::ranges::move(weighedBlocks(words_, model_), std::back_inserter(blocks));
@@ -584,7 +565,7 @@ class Card {
 
     /// Nothing of one that cannot be made: a drawing with sizes would be machined.
     QString plug() {
-        if (model_.plugs() == nullptr || isOutdated()) {
+        if (model_.plugs() == nullptr) {
             return {};
         }
         const auto planned = plannedPlug(*model_.plugsInput(), *model_.plugs());
@@ -603,8 +584,7 @@ class Card {
 
     const WorkshopModel& model_;
     Words words_;
-    QString rejectedOfResult_;  ///< notes; empty where nothing is rejected
-    QString rejected_;
+    QStringList rejected_;
     Paper paper_;
 };
 
@@ -612,7 +592,18 @@ class Card {
 
 Paper jobCard(const WorkshopModel& model, const Words& words, const QStringList& rejected,
               const QStringList& ofResult) {
-    return Card(model, words, rejected, ofResult).make();
+    if (ofResult.isEmpty()) {
+        return Card(model, words, rejected).make();
+    }
+    QStringList others = rejected;
+    others.removeIf([&](const QString& each) { return ofResult.contains(each); });
+    const auto stopped = model.stoppedBy(
+        words
+            .translate("JobCard",
+                       "No bob weight, holes or plug work are printed until these entries are "
+                       "corrected: %1")
+            .arg(ofResult.join(QLatin1Char(' '))));
+    return Card(*stopped, words, others).make();
 }
 
 QPageSize cardPaper() {

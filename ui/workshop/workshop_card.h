@@ -12,9 +12,9 @@ namespace ravnoves {
 /// The job card. The first page is what one takes to the machine: bob weight and verdict in large
 /// type, the planes as clocks with their holes, lines for the machine's readings. Parts, plugs and
 /// take-offs follow.
-/// @param rejected  entries that the form rejects: the card uses the values before them, and notes
-///                  it
-/// @param ofResult  the ones that the answer depends on
+/// @param rejected  entries that the form rejects: the card notes that it has the values before
+/// them
+/// @param ofResult  the ones that the answer depends on: the card has none
 Paper jobCard(const WorkshopModel& model, const Words& words, const QStringList& rejected = {},
               const QStringList& ofResult = {});
 

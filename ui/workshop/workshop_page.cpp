@@ -60,11 +60,14 @@ WorkshopPage::WorkshopPage(QWidget* parent, SceneModel* kept)
 
 WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(adopt<WorkshopModel>(kept, journalPath)) {
+    model_->setRejected({});  // by the fields of a page before
     QVBoxLayout* column = columnIn(this, 0);
     column->addWidget(buildBanner());
     verdict_ = new VerdictLine(this);
     connect(verdict_, &VerdictLine::acted, this, &WorkshopPage::doVerdictAct);
-    connect(model_, &SceneModel::changed, this, &WorkshopPage::showVerdict);
+    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+        connect(model_, signal, this, &WorkshopPage::showVerdict);
+    }
     column->addWidget(verdict_);
     sheets_ = new FittedTabs(this);
     sheets_->setObjectName(QStringLiteral("sheets"));
@@ -172,8 +175,10 @@ JobDesk* WorkshopPage::desk() const {
 }
 
 void WorkshopPage::showVerdict() {
-    const Verdict verdict = isRejected_ ? withRejected(model_->verdictShown().value(), *model_)
-                                        : model_->verdictShown().value();
+    Verdict verdict = model_->verdictShown().value();
+    if (model_->isOutdated()) {
+        verdict = withRejected(std::move(verdict), *model_);
+    }
     verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
                             : verdict.act == workshop::drilled_act ? tr("Correct the drilled holes")
                                                                    : QString());
@@ -190,12 +195,6 @@ void WorkshopPage::doVerdictAct() {
     }
 }
 
-QString WorkshopPage::resultsAsText() const {
-    const QString rejected = rejectedNote(Words(), rejectedInputs(this));
-    return (rejected.isEmpty() ? rejected : rejected + QLatin1Char('\n')) +
-           ScenePage::resultsAsText();
-}
-
 void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
     form->setMaximumWidth(Theme::withText(sheetWidth));  // a field is near its name
     auto* scroll = scrolled(form, sheets_);
@@ -209,10 +208,7 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
         if (auto* entry = qobject_cast<EntryField*>(field)) {
             connect(entry, &EntryField::troubleChanged, this, [this, tab] {
                 markTab(tab);
-                const QStringList rejected = rejectedInputs(this);
-                isRejected_ = !rejected.isEmpty();
-                answer_->setRejected(rejected);
-                showVerdict();
+                model_->setRejected(rejectedInputs(this));
             });
         }
     };
@@ -492,7 +488,9 @@ Paper WorkshopPage::card() {
     Retold retold;
     if (!language.isEmpty() && language != currentLanguage()) {
         retold = [&](const EntryField& field) {
-            const QString name = words.text(field.label()).remove(QLatin1Char('&'));
+            const auto form = std::ranges::find_if(
+                forms_, [&](const WorkshopSheet* each) { return each->isAncestorOf(&field); });
+            const QString name = form == forms_.end() ? QString() : (*form)->nameOf(field, words);
             const QString typed = words.locale().quoteString(field.text());
             return name.isEmpty() ? typed : name + QStringLiteral(": ") + typed;
         };

@@ -35,8 +35,6 @@ class WorkshopPage : public ScenePage {
     SceneModel* model() override;
     WorkshopModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override { return actions_; }
-    /// Always with the rejected entries: the answer is of the values before them.
-    QString resultsAsText() const override;
     std::optional<bool> askToSave() override;
     std::optional<bool> saveInPlace() override;
     QString savingTip() const override;
@@ -120,7 +118,6 @@ class WorkshopPage : public ScenePage {
     QList<WorkshopSheet*> forms_;  // in the order of the tabs
     QSet<int> unseen_;             ///< sheets that were not in front since the job came
     bool journalTried_ = false;
-    bool isRejected_ = false;  ///< an entry that results depend on
     QList<QAction*> actions_;
 };
 

@@ -264,15 +264,27 @@ std::pair<QGridLayout*, TroubleLine*> WorkshopSheet::grid(const QStringList& hea
     return {made, trouble};
 }
 
-NumberField* WorkshopSheet::cell(const Field& field, const QString& name, const QString& spoken) {
+NumberField* WorkshopSheet::cell(const Field& field, const QString& key, const Name& name) {
     auto* made = new NumberField(field, current());
-    made->setObjectName(name);
-    made->setAccessibleName(spoken);
+    made->setObjectName(key);
     made->setOptional(true);
     made->setSaysHowRead(true);
     enlarge(made);
     makeCell(made);
+    names_[made] = name;
+    follow([made, name] {
+        const QString spoken = titleWithUnit(name({}), made->unit());
+        if (made->accessibleName() != spoken) {
+            made->setAccessibleName(spoken);
+        }
+    });
     return made;
+}
+
+QString WorkshopSheet::nameOf(const EntryField& field, const Words& words) const {
+    const auto cell = names_.find(&field);
+    return cell != names_.end() ? cell->second(words)
+                                : words.text(field.label()).remove(QLatin1Char('&'));
 }
 
 void WorkshopSheet::finish() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QList>
+#include <map>
 
 #include "text/typed_number.h"
 #include "widgets/form.h"
@@ -27,6 +28,8 @@ class WorkshopSheet : public Form {
     const QList<QWidget*>& order() const { return order_; }
     /// The same in the order of Tab: along the rows of a grid.
     QList<QWidget*> tabOrder() const;
+    /// The name of a field in another language than the window's.
+    QString nameOf(const EntryField& field, const Words& words) const;
 
     /// Its readings are of another bob weight or crankshaft: its tab is yellow, and so are their
     /// fields.
@@ -101,7 +104,9 @@ class WorkshopSheet : public Form {
                         std::function<void()> press);
     /// A grid over the whole width with its headings, and the line for its rejected entries.
     std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
-    NumberField* cell(const Field& field, const QString& name, const QString& spoken);
+    using Name = std::function<QString(const Words& words)>;
+    /// A field of a grid; its name may follow the model.
+    NumberField* cell(const Field& field, const QString& key, const Name& name);
     /// Ends the sheet: labels without a mnemonic get one that no other label or button has.
     void finish();
 
@@ -112,6 +117,7 @@ class WorkshopSheet : public Form {
     /// @return true for an arrow that leaves the field of a grid
     static bool goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key);
 
+    std::map<const EntryField*, Name> names_;  ///< of cells
     QList<QWidget*> order_;
     QList<QList<QList<QWidget*>>> grids_;
 };

@@ -277,6 +277,8 @@ TEST_F(CardJobTest, NoPartIsMovedByDoubtedWeights) {
     weigh(0.58, 0.45);
     EXPECT_TRUE(card().contains(suggested));
     EXPECT_FALSE(find<QPushButton>("move_parts")->isHidden());
+    weigh(0.85, 0.45);
+    EXPECT_TRUE(has(label("verdict"), u"more than 6 times their scatter"_s)) << "as the help says";
     for (const auto& [first, bigEnd, said] :
          {std::tuple{0.85, 0.45, u"Weigh again first: piston of cylinder 1."_s},
           std::tuple{0.58, 0.15, u"Weigh again first: rod of cylinder 2."_s}}) {
@@ -820,14 +822,24 @@ TEST_F(ReadJobTest, LimitsComeByGradeOrByHand) {
     EXPECT_EQ(label("rejected"), QString());
 }
 
-TEST_F(ReadJobTest, ARejectedReadingLeavesNoHoleOnTheCard) {
-    const QString takesOff = model->holeResults().columns[3].heading;
+TEST_F(ReadJobTest, ARejectedEntryLeavesNothingOnTheCardToBeSetOrDrilled) {
+    limitTo(2000);
+    weigh("piston", {583.9, 584.9, 583.9, 583.9, 583.9, 583.9, 583.9, 583.9});
     ASSERT_TRUE(model->solution().is_planned());
-    const QStringList ofHoles{takesOff, u"After correction"_s};
-    ASSERT_TRUE(hasAll(card(), ofHoles));
+    const QStringList answers{model->holeResults().columns[3].heading,
+                              u"After correction"_s,
+                              Words().number(*model->solution().bob_weight, units::gram, 1),
+                              u"Balance factor"_s,
+                              u"FAIL"_s,
+                              u"Permissible residual: "_s,
+                              u"take off"_s};
+    ASSERT_TRUE(hasAll(card(), answers));
     const QString printed = card({u"Unbalance: no number"_s});
-    EXPECT_TRUE(has(printed.simplified(), u"Do not drill or machine"_s));
-    for (const QString& each : ofHoles) {
+    EXPECT_TRUE(hasAll(printed.simplified(),
+                       {u"STOP: no bob weight yet"_s,
+                        u"until these entries are corrected: Unbalance: no number"_s}));
+    EXPECT_TRUE(has(printed, u"2600"_s)) << "what was read is a record";
+    for (const QString& each : answers) {
         EXPECT_FALSE(has(printed, each));
     }
 }
@@ -1067,6 +1079,16 @@ TEST_F(CardJobTest, ARejectedEntryThatNoResultNeedsLeavesTheAnswerUpToDate) {
     }
 }
 
+TEST_F(JobPageTest, NoResultIsOutdatedWhereThereIsNone) {
+    type("piston", u"58x"_s);
+    EXPECT_TRUE(begins(label("rejected"), u"Entries not accepted: One piston"_s));
+    EXPECT_FALSE(has(label("verdict"), u"previous value"_s));
+    type("piston", u"583.9"_s);
+    typeShopCard();
+    type("pin", u"17x"_s);
+    EXPECT_TRUE(begins(label("rejected"), u"Result outdated: "_s));
+}
+
 TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
     type("engine_number", u"53"_s);
     type("piston", u"58x"_s);
@@ -1078,7 +1100,7 @@ TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
     // The tab says so, wherever one is.
     show(JobTab);
     EXPECT_EQ(sheets->tabBar()->tabTextColor(PartsTab), Theme::instance().error());
-    EXPECT_TRUE(card({u"Piston, g: no number"_s}).contains(u"entries not accepted: Piston"_s));
+    EXPECT_TRUE(page.resultsAsText().startsWith(label("rejected")));
     EXPECT_TRUE(saveAnd(u"Continue"_s).contains(u"One piston"_s));
     ASSERT_EQ(jobs().size(), 1);
     EXPECT_FALSE(jobs().at(0).isFinished);

@@ -64,11 +64,4 @@ QString verdictText(const Words& words, const QString& verdict) {
     return known != nullptr ? words.translate("Workshop", known->text) : QString();
 }
 
-QString rejectedNote(const Words& words, const QStringList& rejected) {
-    return rejected.isEmpty()
-               ? QString()
-               : words.translate("JobCard", "Result outdated: entries not accepted: %1")
-                     .arg(rejected.join(QLatin1Char(' ')));
-}
-
 }  // namespace ravnoves

@@ -41,8 +41,6 @@ enum class VerdictKind {
     Open  ///< to be drilled or measured again
 };
 VerdictKind verdictKind(const QString& verdict);
-/// States that the values before the rejected entries were used; empty without such entries.
-QString rejectedNote(const Words& words, const QStringList& rejected);
 
 /// A verdict's word as page, card and journal say it: "fails → passes" is measured → after
 /// correction.

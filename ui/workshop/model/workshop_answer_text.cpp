@@ -499,6 +499,16 @@ QString WorkshopModel::doubtfulText() const {
                : QString();
 }
 
+QString WorkshopModel::rejectedText() const {
+    const Words words;
+    return rejected_.isEmpty()
+               ? QString()
+               : (isOutdated()
+                      ? words.translate("JobCard", "Result outdated: entries not accepted: %1")
+                      : words.translate("JobCard", "Entries not accepted: %1"))
+                     .arg(rejected_.join(QLatin1Char(' ')));
+}
+
 QStringList WorkshopModel::notCounted(const Words& words) const {
     QStringList list;
     // What weighed masses replace is grey on its sheet.

@@ -263,6 +263,31 @@ template class CaseModel<WorkshopScene>;
 WorkshopModel::WorkshopModel(const QString& journalPath, QObject* parent)
     : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath) {}
 
+void WorkshopModel::setRejected(const QStringList& rejected) {
+    if (rejected != rejected_) {
+        rejected_ = rejected;
+        Q_EMIT shownChanged();
+    }
+}
+
+bool WorkshopModel::hasAnswer() const {
+    return solution().bob_weight || solution().newest() != nullptr ||
+           (plugs() != nullptr && plugs()->advice);
+}
+
+std::unique_ptr<WorkshopModel> WorkshopModel::stoppedBy(const QString& why) const {
+    static constexpr workshop::DoubtRule rule{
+        "rejected-entry", Severity::error, {true, true, true}, {}, nullptr};
+    auto stopped = std::make_unique<WorkshopModel>(QString());
+    stopped->restart(input());
+    WorkshopScene::Solved& solved = stopped->solvedInPlace();
+    solved.found.doubts.insert(solved.found.doubts.begin(), {&rule, why.toStdString()});
+    solved.allowed = workshop::allowed(solved.found);
+    solved.allowed.shaft.placing.reset();
+    solved.sheet.reset();  // nor is a part made lighter
+    return stopped;
+}
+
 bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
     if (key != QLatin1String("sheet")) {
         return false;

@@ -99,6 +99,13 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool isProvisional() const { return solved().found.is_provisional(); }
     /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
+    /// Entries that the form rejects now and that results depend on.
+    void setRejected(const QStringList& rejected);
+    /// The answer is of the values before them.
+    bool isOutdated() const { return !rejected_.isEmpty() && hasAnswer(); }
+    /// The job without an answer, as a doubt would stop it: nothing can be set or drilled by the
+    /// values before rejected entries.
+    std::unique_ptr<WorkshopModel> stoppedBy(const QString& why) const;
 
     // ------------------------------------------------------------------------------- changes
     QString edit(const QString& name, const std::function<void(Input&)>& mutate,
@@ -223,6 +230,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
 
     /// Values typed or weighed, but not used (yet).
     QStringList notCounted(const Words& words = {}) const;
+    QString rejectedText() const;
     /// Faults and notes beside the verdict, a sentence each.
     /// @param withDoubts  and what the verdict says of doubts
     QStringList troubles(const Words& words = {}, bool withDoubts = false) const;
@@ -325,6 +333,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void taken() override;
 
   private:
+    bool hasAnswer() const;
     std::size_t firstRun() const;
     /// That hangs on the crankpins, doubted or not.
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
@@ -357,6 +366,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     std::optional<Input> otherForm_;            ///< the state before plugs were added or removed
     std::optional<bob_weights::Engine> lastV_;  ///< before another type was chosen
     std::optional<Input> carried_;              ///< what the job began with of the job before
+    QStringList rejected_;
     JobDesk desk_;
 };
 

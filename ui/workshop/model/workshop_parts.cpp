@@ -307,6 +307,7 @@ QString weighingNote(const WorkshopModel& model) {
 std::vector<AnswerLine> answerLines(const WorkshopModel& model) {
     const bool hasFactor = model.solution().bob_weight && !model.hasPlugs();
     std::vector<AnswerLine> lines{
+        {"rejected", Severity::warning, {model.rejectedText()}},
         {"headline",
          model.withheld().bob_weight ? Severity::error : Severity::note,
          {model.headline()}},
