@@ -12,8 +12,6 @@
 
 namespace ravnoves {
 
-using journal_rows::bare;
-
 namespace {
 
 bool journalKept = true;
@@ -210,15 +208,6 @@ QList<JournalDraft> Journal::orphanedDrafts() {
         }
     }
     return drafts;
-}
-
-bool Journal::saveEngine(const JournalEngine& engine) {
-    return ask(QStringLiteral(
-                   "INSERT INTO engine (name, engine_values) VALUES (?, ?)"
-                   " ON CONFLICT (name) DO UPDATE SET engine_values = excluded.engine_values"),
-               {engine.name, bare(QString::fromUtf8(engine.values))},
-               tr("The engine could not be saved."))
-        .has_value();
 }
 
 bool Journal::removeEngine(const QString& name) {

@@ -134,7 +134,6 @@ class Journal : public QObject {
     bool discardDraft(const QString& session);
 
     QList<JournalEngine> engines();
-    bool saveEngine(const JournalEngine& engine);
     bool removeEngine(const QString& name);
 
     /// Writes all that is in the journal to a file of its own, which restore() reads; a file that

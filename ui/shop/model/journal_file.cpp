@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <set>
 #include <utility>
 
 #include "case-file/text_file.h"
@@ -455,46 +454,37 @@ std::optional<JournalRestored> Journal::restore(const QString& file,
     }
     copy("-wal");  // where it has one
     const bool isOpen = other.openDatabase();
-    QList<JournalJob> jobs = isOpen ? other.search({}) : QList<JournalJob>();
+    const auto jobs = static_cast<int>(isOpen ? other.search({}).size() : 0);
     const bool isRead = isOpen && other.error_.isEmpty();
-    const auto theirs = isRead ? other.engines() : QList<JournalEngine>();
-    if (!isRead || !other.error_.isEmpty()) {
+    other.closeDatabase();
+    if (!isRead || !ask(QStringLiteral("ATTACH ? AS backup"), {other.path_}, cannot)) {
         fail(cannot, {});
         return std::nullopt;
     }
-    // What is there as it was, by the time of its saving and its form.
-    std::set<std::pair<qint64, QByteArray>> known;
-    for (const JournalJob& job : search({})) {
-        known.emplace(job.saved.toMSecsSinceEpoch(), job.form);
+    // What is there as it was, by the time of its saving and its form, is not added.
+    std::optional<QSqlQuery> added;
+    const bool isKept =
+        runText(QStringLiteral("BEGIN IMMEDIATE"), cannot) &&
+        runText(QStringLiteral("INSERT INTO main.engine SELECT name, engine_values"
+                               " FROM backup.engine WHERE true ON CONFLICT (name) DO NOTHING"),
+                cannot) &&
+        (added = ask(QStringLiteral("INSERT INTO main.job (revision, %1) SELECT 1, %1"
+                                    " FROM backup.job WHERE (saved, form) NOT IN"
+                                    " (SELECT saved, form FROM main.job) ORDER BY id")
+                         .arg(journal_rows::written),
+                     {}, cannot)) &&
+        (cancelled == nullptr || !*cancelled) && runText(QStringLiteral("COMMIT"), cannot);
+    QSqlQuery after(database());
+    if (!isKept) {
+        after.exec(QStringLiteral("ROLLBACK"));
     }
-    QStringList names;
-    for (const JournalEngine& engine : engines()) {
-        names << engine.name;
-    }
-    JournalRestored done;
-    bool isKept = runText(QStringLiteral("BEGIN IMMEDIATE"), cannot);
-    for (JournalJob& job : jobs) {
-        const QDateTime saved = job.saved;
-        if (known.contains({saved.toMSecsSinceEpoch(), job.form})) {
-            ++done.known;
-            continue;
-        }
-        job.id = 0;
-        isKept = isKept && (cancelled == nullptr || !*cancelled) && saveOnce(job) == Saved::Yes &&
-                 ask(QStringLiteral("UPDATE job SET saved = ? WHERE id = ?"),
-                     {journal_rows::stamp(saved), job.id}, cannot);
-        ++done.added;
-    }
-    for (const JournalEngine& engine : theirs) {
-        isKept = isKept && (names.contains(engine.name) || saveEngine(engine));
-    }
-    if (!isKept || !runText(QStringLiteral("COMMIT"), cannot)) {
-        QSqlQuery(database()).exec(QStringLiteral("ROLLBACK"));
+    after.exec(QStringLiteral("DETACH backup"));
+    if (!isKept) {
         fail(tr("Nothing was restored."), {});
         return std::nullopt;
     }
     error_.clear();
-    return done;
+    return JournalRestored{added->numRowsAffected(), jobs - added->numRowsAffected()};
 }
 
 }  // namespace ravnoves

@@ -37,6 +37,11 @@ QVariant orNull(const std::optional<double>& value) {
     return value ? QVariant(*value) : QVariant(QMetaType::fromType<double>());
 }
 
+/// The empty text, not NULL, for a QString that was never set.
+QString bare(const QString& text) {
+    return text.isNull() ? QLatin1String("") : text;
+}
+
 std::optional<double> orNothing(const QVariant& value) {
     return value.isNull() ? std::nullopt : std::optional(value.toDouble());
 }
@@ -56,13 +61,6 @@ const QString places = QStringLiteral("?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?,
 
 QString folded(const QString& text) {
     return text.toCaseFolded();
-}
-
-QVariant stamp(const QDateTime& time) {
-    return time.toMSecsSinceEpoch();
-}
-QString bare(const QString& text) {
-    return text.isNull() ? QLatin1String("") : text;
 }
 
 void completeFromForm(JournalJob& job) {
@@ -116,7 +114,7 @@ QVariantList valuesOf(const JournalJob& job) {
                           << bare(job.engine) << bare(job.date.toString(Qt::ISODate))
                           << bare(job.process) << orNull(job.unbalancedMass)
                           << bare(job.recommended) << orNull(job.reduction) << orNull(job.bobWeight)
-                          << stamp(job.saved) << bare(QString::fromUtf8(job.form))
+                          << job.saved.toMSecsSinceEpoch() << bare(QString::fromUtf8(job.form))
                           << bare(job.scene) << bare(job.crankshaftNumber)
                           << orNull(job.frontReading) << orNull(job.rearReading)
                           << bare(job.verdict) << (job.isFinished ? 1 : 0) << searchText(job);

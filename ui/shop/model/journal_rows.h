@@ -25,12 +25,6 @@ QVariantList valuesOf(const JournalJob& job);
 /// Lower case in every alphabet, so that a search finds "змз" in "ЗМЗ": SQLite folds ASCII only.
 QString folded(const QString& text);
 
-/// Milliseconds since 1970 sort as numbers and read the same in every locale.
-QVariant stamp(const QDateTime& time);
-
-/// The empty text, not NULL, for a QString that was never set.
-QString bare(const QString& text);
-
 /// True where SQLite says that the file is damaged or no database.
 bool meansDamaged(const QSqlError& error);
 /// Whether another program has locked the file now.

@@ -1,5 +1,3 @@
-#include "workshop/model/plug_engines.h"
-
 #include <QSettings>
 #include <algorithm>
 #include <utility>
@@ -36,42 +34,39 @@ void takePreset(workshop::Input& job, const v8_plugs::Engine& preset) {
 
 const QString toleranceKey = QStringLiteral("workshop/tolerance_g_mm");
 
-}  // namespace
-
-double plug_engines::shopsTolerance() {
+/// The limit that new jobs begin with, kg·m.
+double shopsTolerance() {
     bool isNumber = false;
     const double kept = QSettings().value(toleranceKey).toDouble(&isNumber);
     return isNumber && field::tolerance.range.contains(kept) ? kept * field::tolerance.unit
                                                              : default_tolerance;
 }
 
-void plug_engines::keepTolerance(double tolerance) {
-    QSettings().setValue(toleranceKey, tolerance / field::tolerance.unit);
+}  // namespace
+
+void WorkshopScene::startPlugs(v8_plugs::Input& plugs) const {
+    if (dated && plugs.tolerance == default_tolerance) {
+        plugs.tolerance = shopsTolerance();
+    }
 }
 
-bool plug_engines::isSame(const v8_plugs::Input& input, const v8_plugs::Input& named) {
-    const v8_plugs::Engine& a = input.engine;
-    const v8_plugs::Engine& b = named.engine;
-    return input.preset == named.preset && a.name == b.name &&
+/// What the preset does not know may be filled in.
+bool WorkshopScene::isSameEngine(const Input& input, const Input& named) {
+    if (input.engine != named.engine || !input.plugs || !named.plugs) {
+        return input.engine == named.engine && !input.plugs && !named.plugs;
+    }
+    const v8_plugs::Engine& a = input.plugs->engine;
+    const v8_plugs::Engine& b = named.plugs->engine;
+    return input.plugs->preset == named.plugs->preset && a.name == b.name &&
            a.has_aluminium_plug == b.has_aluminium_plug && a.has_new_plug == b.has_new_plug &&
            std::ranges::all_of(engine_fields(), [&](const EngineField& each) {
                return !(b.*each.member) || a.*each.member == b.*each.member;
            });
 }
 
-v8_plugs::Input plug_engines::nextOf(const v8_plugs::Input& before) {
-    v8_plugs::Input next;
-    next.preset = before.preset;
-    next.engine = before.engine;
-    next.crankshaft = before.crankshaft;
-    next.process = before.process;
-    next.tolerance = before.tolerance;
-    next.plug = before.plug;
-    return next;
-}
-
-void plug_engines::noteInJournal(JournalJob& job, const v8_plugs::Input& input,
-                                 const v8_plugs::Result& solution) {
+void WorkshopModel::notePlugs(JournalJob& job) const {
+    const v8_plugs::Input& input = *plugsInput();
+    const v8_plugs::Result& solution = *plugs();
     job.engine = QString::fromStdString(input.engine.name);
     job.process = QString::fromStdString(
         std::string(process_words[static_cast<std::size_t>(input.process)].word));
@@ -135,14 +130,13 @@ QString WorkshopModel::editPlugs(const QString& name,
 
 void WorkshopModel::keepTolerance() {
     if (scene().dated && hasPlugs()) {
-        plug_engines::keepTolerance(input().plugs->tolerance);
+        QSettings().setValue(toleranceKey, input().plugs->tolerance / field::tolerance.unit);
         Q_EMIT changed();
     }
 }
 
 bool WorkshopModel::isShopsTolerance() const {
-    return scene().dated && hasPlugs() &&
-           input().plugs->tolerance == plug_engines::shopsTolerance();
+    return scene().dated && hasPlugs() && input().plugs->tolerance == shopsTolerance();
 }
 
 v8_plugs::Engine WorkshopModel::withNominalMasses() const {

@@ -20,7 +20,6 @@
 #include "text/message_text.h"
 #include "v8-plugs/fields.h"
 #include "workshop/input.h"
-#include "workshop/model/plug_engines.h"
 #include "workshop/results.h"
 #include "workshop/solver.h"
 
@@ -206,19 +205,6 @@ void WorkshopScene::startJob(Job& input) const {
     }
     input.job.technician = JobDesk::rememberedTechnician().toStdString();
     input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
-}
-
-void WorkshopScene::startPlugs(v8_plugs::Input& plugs) const {
-    if (dated && plugs.tolerance == v8_plugs::default_tolerance) {
-        plugs.tolerance = plug_engines::shopsTolerance();
-    }
-}
-
-bool WorkshopScene::isSameEngine(const Job& input, const Job& named) {
-    if (input.engine != named.engine || input.plugs.has_value() != named.plugs.has_value()) {
-        return false;
-    }
-    return !input.plugs || plug_engines::isSame(*input.plugs, *named.plugs);
 }
 
 Job WorkshopScene::read(const Json& input, const CaseContext& /*context*/) {
@@ -661,7 +647,11 @@ Job WorkshopModel::nextOf(const Job& before) const {
     }
     next.weigh_in = rulesAlone(before);
     if (before.plugs) {
-        next.plugs = plug_engines::nextOf(*before.plugs);
+        next.plugs = before.plugs;
+        next.plugs->typed_changes = {};
+        next.plugs->changes_given = false;
+        next.plugs->changes_from_weigh_in = false;
+        next.plugs->weigh_in.reset();
     }
     return next;
 }
@@ -669,7 +659,8 @@ Job WorkshopModel::nextOf(const Job& before) const {
 void WorkshopModel::newJob() {
     Job next = nextOf(input());
     if (next.plugs && scene().dated) {
-        next.plugs->tolerance = plug_engines::shopsTolerance();
+        next.plugs->tolerance = v8_plugs::default_tolerance;
+        scene().startPlugs(*next.plugs);
     }
     next.job.technician = input().job.technician;
     otherForm_.reset();
@@ -777,7 +768,7 @@ JournalJob WorkshopModel::journalEntry() const {
     JournalJob job = JobDesk::entryOf(input().job);
     job.engine = engineName(Words(QStringLiteral("en")), input().engine);
     if (plugs() != nullptr) {
-        plug_engines::noteInJournal(job, *plugsInput(), *plugs());
+        notePlugs(job);
     }
     if (solution().bob_weight) {
         job.bobWeight = *solution().bob_weight / units::gram;

@@ -353,6 +353,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString boringText(const Words& words, const v8_plugs::SolvedOption& option) const;
     QString shiftText(const Words& words, const v8_plugs::SolvedOption& option) const;
     QString optionTip(const v8_plugs::SolvedOption& option) const;
+    void notePlugs(JournalJob& job) const;
     /// The engine with the nominal masses that follow from its nominal parts.
     v8_plugs::Engine withNominalMasses() const;
 
