@@ -53,14 +53,6 @@ const DrilledHole* holeAt(const workshop::Input& input, std::size_t row) {
 
 CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
     : WorkshopSheet(model, parent) {
-    buildDrills();
-    buildDrilled();
-    buildWhatIf();
-    buildSlugs();
-    finish();
-}
-
-void CorrectionSheet::buildDrills() {
     section(tr("Available drills"));
     numberList(
         field::diameters,
@@ -86,9 +78,8 @@ void CorrectionSheet::buildDrills() {
     number("/correction/drill/maximum_holes");
     number("/correction/drill/minimum_wall_mm");
     number("/correction/drill/maximum_angle_deg");
-}
-
-void CorrectionSheet::buildSlugs() {
+    buildDrilled();
+    buildWhatIf();
     section(tr("Heavy metal"));
     number("/correction/slug/diameter_mm")->setObjectName(QStringLiteral("slug_diameter_mm"));
     NumberField* density = number("/correction/slug/density_kg_m3");
@@ -99,6 +90,7 @@ void CorrectionSheet::buildSlugs() {
         density->setPlaceholderText(hasSlugs ? needed : QStringLiteral("–"));
     });
     choice("/correction/slug/direction")->setObjectName(QStringLiteral("slug_direction"));
+    finish();
 }
 
 // ---------------------------------------------------------------------------------- what if

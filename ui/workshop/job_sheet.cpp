@@ -10,16 +10,6 @@
 namespace ravnoves {
 
 JobSheet::JobSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
-    addJob();
-    buildEngine();
-    buildPlugs();
-    section(tr("Notes on the job card"));
-    text("/job/notes", longestNotes);
-    finish();
-}
-
-/// Whose job it is, and when.
-void JobSheet::addJob() {
     section(tr("Job"));
     text("/job/engine_number");
     text("/job/crankshaft_number");
@@ -36,9 +26,6 @@ void JobSheet::addJob() {
              },
              [](const QString& day) { return Words().day(day); }, false});
     text("/job/technician");
-}
-
-void JobSheet::buildEngine() {
     section(tr("Engine"));
     QComboBox* type = ordered(
         Form::choice("/engine/type", [this](int chosen) { return model_->chooseType(chosen); }));
@@ -69,9 +56,6 @@ void JobSheet::buildEngine() {
                         "position.")
                    : QString();
     });
-}
-
-void JobSheet::buildPlugs() {
     section(tr("Sludge-trap plugs"));
     QCheckBox* there = ordered(box(
         QStringLiteral("has_plugs"), tr("The crankpins have sludge-trap &plugs"),
@@ -100,6 +84,9 @@ void JobSheet::buildPlugs() {
     follow([this, crankshaft] {
         crankshaft->setEnabled(model_->hasPlugs() && model_->input().plugs->engine.has_new_plug);
     });
+    section(tr("Notes on the job card"));
+    text("/job/notes", longestNotes);
+    finish();
 }
 
 }  // namespace ravnoves

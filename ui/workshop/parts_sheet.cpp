@@ -11,18 +11,6 @@
 namespace ravnoves {
 
 PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
-    buildParts();
-    buildChanges();
-    section({});
-    line(Theme::smallSize, [this] {
-        return model_->replacedInputs().empty()
-                   ? QString()
-                   : tr("Grey values are means of the weigh-in sheet.");
-    });
-    finish();
-}
-
-void PartsSheet::buildParts() {
     plugsSection(false, tr("Parts of one cylinder"));
     for (const bob_weights::PartField& part : bob_weights::part_fields()) {
         const std::string pointer = "/parts_g/" + std::string(part.field.key);
@@ -42,9 +30,6 @@ void PartsSheet::buildParts() {
     doubt(number("/factor/reciprocating_percent"), "share-of-one");
     number("/factor/overbalance_percent");
     line(Theme::smallSize, [this] { return model_->reasonText(); });
-}
-
-void PartsSheet::buildChanges() {
     plugsSection(true, tr("Parts of one cylinder, heavier than nominal by (negative: lighter)"));
     for (const v8_plugs::MassChangeField& each : v8_plugs::mass_change_fields()) {
         NumberField* made = number(
@@ -88,6 +73,13 @@ void PartsSheet::buildChanges() {
     place.setRetainSizeWhenHidden(true);
     keep->setSizePolicy(place);
     follow([this, keep] { keep->setVisible(model_->hasPlugs() && !model_->isShopsTolerance()); });
+    section({});
+    line(Theme::smallSize, [this] {
+        return model_->replacedInputs().empty()
+                   ? QString()
+                   : tr("Grey values are means of the weigh-in sheet.");
+    });
+    finish();
 }
 
 }  // namespace ravnoves

@@ -14,11 +14,6 @@ class JobSheet : public WorkshopSheet {
 
   public:
     explicit JobSheet(WorkshopModel* model, QWidget* parent = nullptr);
-
-  private:
-    void addJob();
-    void buildEngine();
-    void buildPlugs();
 };
 
 /// Sheet 2: the parts of one cylinder, or what plugs ask of them.
@@ -27,10 +22,6 @@ class PartsSheet : public WorkshopSheet {
 
   public:
     explicit PartsSheet(WorkshopModel* model, QWidget* parent = nullptr);
-
-  private:
-    void buildParts();
-    void buildChanges();
 };
 
 /// Sheet 3: every part of every cylinder on the scale, a column for each kind of part and a row for
@@ -116,8 +107,6 @@ class CorrectionSheet : public WorkshopSheet {
     QWidget* lastDrilled() const;
 
   private:
-    void buildDrills();
-    void buildSlugs();
     void buildWhatIf();
     void showWhatIf();
     void buildDrilled();
