@@ -206,35 +206,38 @@ void WorkshopAnswer::showAnswer() {
     const bool isStopped = model_->withheld().bob_weight;
     const bool isStale = model_->isOutdated();
     // What is still missing is no sentence for the display size.
-    QLabel* headline = said_.at("headline");
-    headline->setFont(
-        Theme::font(known || isStopped ? Theme::displaySize : Theme::titleSize, !isStale));
-    colourText(headline, isStopped ? &Theme::error
-                         : !known  ? &Theme::mutedText
-                         : isStale ? &Theme::warning
-                                   : &Theme::text);
+    const auto show = [&](const char* id, bool isLarge, bool isAnswer, Ink ink) {
+        QLabel* label = said_.at(id);
+        label->setFont(Theme::font(isLarge ? Theme::displaySize : Theme::titleSize, !isStale));
+        colourText(label, isAnswer && isStale ? &Theme::warning : ink);
+    };
+    show("headline", known || isStopped, known,
+         isStopped ? &Theme::error
+         : known   ? &Theme::text
+                   : &Theme::mutedText);
     const QString verdict = model_->verdictNow();
     if (auto* area = qobject_cast<QScrollArea*>(parentWidget()->parentWidget());
         std::exchange(verdict_, verdict) != verdict && area != nullptr) {
         area->verticalScrollBar()->setValue(0);  // another verdict is to be seen
     }
     const VerdictKind kind = verdictKind(verdict);
-    QLabel* correction = said_.at("correction");
-    correction->setFont(
-        Theme::font(kind == VerdictKind::None ? Theme::titleSize : Theme::displaySize, !isStale));
-    colourText(correction, model_->withheld().any()               ? &Theme::error
-                           : kind == VerdictKind::None            ? &Theme::mutedText
-                           : isStale || kind == VerdictKind::Open ? &Theme::warning
-                           : kind == VerdictKind::Pass            ? &Theme::good
-                                                                  : &Theme::error);
+    const bool isWithheld = model_->withheld().any();
+    show("correction", kind != VerdictKind::None, kind != VerdictKind::None && !isWithheld,
+         isWithheld                  ? &Theme::error
+         : kind == VerdictKind::None ? &Theme::mutedText
+         : kind == VerdictKind::Open ? &Theme::warning
+         : kind == VerdictKind::Pass ? &Theme::good
+                                     : &Theme::error);
     const v8_plugs::Result* plugs = model_->plugs();
-    const bool works = plugs != nullptr && v8_text::works(*plugs);
-    QLabel* advice = said_.at("advice");
-    advice->setFont(Theme::font(Theme::titleSize, works && !isStale));
-    colourText(advice, plugs == nullptr || !plugs->advice ? &Theme::mutedText
-                       : isStale                          ? &Theme::warning
-                       : works                            ? &Theme::text
-                                                          : &Theme::error);
+    const bool isAdvised = plugs != nullptr && plugs->advice;
+    const bool works = isAdvised && v8_text::works(*plugs);
+    show("advice", false, isAdvised,
+         !isAdvised ? &Theme::mutedText
+         : works    ? &Theme::text
+                    : &Theme::error);
+    if (!works) {
+        said_.at("advice")->setFont(Theme::font(Theme::titleSize));
+    }
     plugs_->setVisible(plugs != nullptr && !isStopped);
     lines_->setVisible(known);
     weight_->setVisible(!isOfMachine_ && (known || model_->hasPlugs()));

@@ -259,14 +259,22 @@ void WorkshopPage::buildActions() {
     add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
         QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal(); });
     actions_ << nullptr;
+    const auto ofCard = [this](void (WorkshopPage::*act)()) {
+        return [this, act] {
+            if (rejectedEntriesAreKnown()) {
+                (this->*act)();
+            }
+        };
+    };
     add(QStringLiteral("preview_card"), QStringLiteral("preview"), tr("Job card, &preview…"),
         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), tr("Preview the job card"),
-        [this] { previewCard(); });
+        ofCard(&WorkshopPage::previewCard));
     add(QStringLiteral("print_card"), QStringLiteral("print"), tr("&Print job card…"),
-        QKeySequence(Qt::CTRL | Qt::Key_P), tr("Print the job card"), [this] { printCard(); });
+        QKeySequence(Qt::CTRL | Qt::Key_P), tr("Print the job card"),
+        ofCard(&WorkshopPage::printCard));
     add(QStringLiteral("export_card"), QStringLiteral("pdf"), tr("Job card as P&DF…"),
         QKeySequence(Qt::CTRL | Qt::Key_D), tr("Write the job card as PDF"),
-        [this] { exportCard(); });
+        ofCard(&WorkshopPage::exportCard));
     buildCardLanguages();
     add(QStringLiteral("shop"), {}, tr("S&hop on the job card…"), {}, {},
         [this] { askShopName(this); });
@@ -636,9 +644,6 @@ void WorkshopPage::paintCard(QPrinter* printer) {
 }
 
 void WorkshopPage::previewCard() {
-    if (!rejectedEntriesAreKnown()) {
-        return;
-    }
     QPrinter printer(QPrinter::HighResolution);
     setPaper(printer, cardPaper());
     QPrintPreviewDialog dialog(&printer, this);
@@ -650,9 +655,6 @@ void WorkshopPage::previewCard() {
 }
 
 void WorkshopPage::printCard() {
-    if (!rejectedEntriesAreKnown()) {
-        return;
-    }
     QPrinter printer(QPrinter::HighResolution);
     setPaper(printer, cardPaper());
     QPrintDialog dialog(&printer, this);
@@ -668,9 +670,6 @@ QString WorkshopPage::writeCard(const QString& file) {
 }
 
 void WorkshopPage::exportCard() {
-    if (!rejectedEntriesAreKnown()) {
-        return;
-    }
     const QString name = asFileName(model()->jobName());
     const QString file =
         askSavePath(this, tr("Job card as PDF"),

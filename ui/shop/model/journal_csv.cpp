@@ -11,63 +11,49 @@ namespace ravnoves {
 
 namespace {
 
-/// One line of the list after the other, in the form of a language.
-class CsvWriter {
-  public:
-    explicit CsvWriter(const QLocale& locale) : format_(locale) {}
-
-    /// A text that a person typed. What a spreadsheet would take for a formula is made a text.
-    QString text(const QString& typed) const {
-        static const QString formula = QStringLiteral("=+-@\t\r");
-        QString safe = typed;
-        if (!safe.isEmpty() && formula.contains(safe.front())) {
-            safe.prepend(QLatin1Char('\''));
-        }
-        static const QString special = QStringLiteral(",;\"\r\n\t");
-        const bool quoted =
-            std::any_of(safe.cbegin(), safe.cend(), [](QChar c) { return special.contains(c); });
-        if (quoted) {
-            safe.replace(QLatin1Char('"'), QLatin1String("\"\""));
-            safe = QLatin1Char('"') + safe + QLatin1Char('"');
-        }
-        return safe;
+/// A text that a person typed. What a spreadsheet would take for a formula is made a text.
+QString safeText(const QString& typed) {
+    static const QString formula = QStringLiteral("=+-@\t\r");
+    QString safe = typed;
+    if (!safe.isEmpty() && formula.contains(safe.front())) {
+        safe.prepend(QLatin1Char('\''));
     }
-
-    /// With the decimals of the job card.
-    QString number(const std::optional<double>& value, int decimals) const {
-        return value ? QString::fromStdString(fixed_decimals(*value, decimals))
-                           .replace(QLatin1Char('.'), format_.point)
-                     : QString();
+    static const QString special = QStringLiteral(",;\"\r\n\t");
+    if (std::any_of(safe.cbegin(), safe.cend(), [](QChar c) { return special.contains(c); })) {
+        safe.replace(QLatin1Char('"'), QLatin1String("\"\""));
+        safe = QLatin1Char('"') + safe + QLatin1Char('"');
     }
-
-    QString line(const QStringList& fields) const {
-        return fields.join(format_.separator) + QLatin1String("\r\n");
-    }
-
-  private:
-    CsvFormat format_;
-};
+    return safe;
+}
 
 }  // namespace
 
 QString Journal::csvText(const QList<JournalJob>& jobs, const QLocale& locale) {
-    const CsvWriter csv(locale);
+    const CsvFormat format(locale);
+    const auto line = [&](const QStringList& fields) {
+        return fields.join(format.separator) + QLatin1String("\r\n");
+    };
+    // With the decimals of the job card.
+    const auto number = [&](const std::optional<double>& value, int decimals) {
+        return value ? QString::fromStdString(fixed_decimals(*value, decimals))
+                           .replace(QLatin1Char('.'), format.point)
+                     : QString();
+    };
     static const QStringList columns =
         QStringLiteral(
             "id engine_number date customer technician engine process unbalanced_mass_g "
             "recommended reduction_g_per_plug bob_weight_g crankshaft_number verdict "
             "front_reading_g_mm rear_reading_g_mm scene finished saved_utc")
             .split(QLatin1Char(' '));
-    QString text = csv.line(columns);
+    QString text = line(columns);
     for (const JournalJob& job : jobs) {
-        text += csv.line(
-            {QString::number(job.id), csv.text(job.engineNumber), job.date.toString(Qt::ISODate),
-             csv.text(job.customer), csv.text(job.technician), csv.text(job.engine),
-             csv.text(job.process), csv.number(job.unbalancedMass, 3), csv.text(job.recommended),
-             csv.number(job.reduction, 3), csv.number(job.bobWeight, 1),
-             csv.text(job.crankshaftNumber), csv.text(job.verdict), csv.number(job.frontReading, 1),
-             csv.number(job.rearReading, 1), csv.text(job.scene),
-             job.isFinished ? QStringLiteral("yes") : QStringLiteral("no"),
+        text += line(
+            {QString::number(job.id), safeText(job.engineNumber), job.date.toString(Qt::ISODate),
+             safeText(job.customer), safeText(job.technician), safeText(job.engine),
+             safeText(job.process), number(job.unbalancedMass, 3), safeText(job.recommended),
+             number(job.reduction, 3), number(job.bobWeight, 1), safeText(job.crankshaftNumber),
+             safeText(job.verdict), number(job.frontReading, 1), number(job.rearReading, 1),
+             safeText(job.scene), job.isFinished ? QStringLiteral("yes") : QStringLiteral("no"),
              job.saved.toString(Qt::ISODate)});
     }
     return text;

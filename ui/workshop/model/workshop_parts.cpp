@@ -203,23 +203,11 @@ Notes linesOf(const WorkshopModel& model, std::string_view part) {
     }
     return notes;
 }
-Notes notes(const WorkshopModel& model) {
-    return linesOf(model, "notes");
-}
-/// Of readings, holes, and what was drilled before.
-Notes holeNotes(const WorkshopModel& model) {
-    return linesOf(model, "hole-notes");
-}
-
 /// What is to be done with the parts.
 Notes matching(const WorkshopModel& model) {
     Notes notes;
     notes.say(Severity::note, QStringList(model.assignmentText()) + model.assignmentRemarks());
     return notes;
-}
-
-Results holes(const WorkshopModel& model) {
-    return model.holeResults();
 }
 
 /// A table in the language of the page.
@@ -230,10 +218,13 @@ Results inWords(const WorkshopModel& model) {
 
 using Maker = PartMaker<WorkshopModel>;
 constexpr std::array makers{
-    Maker{{.id = "notes", .isAnswer = true}, made<notes>},
+    Maker{{.id = "notes", .isAnswer = true},
+          [](const WorkshopModel& model) -> Content { return linesOf(model, "notes"); }},
     Maker{{.id = "planes", .isAnswer = true}, made<inWords<&WorkshopModel::planeResults>>},
-    Maker{{.id = "holes", .isAnswer = true}, made<holes>},
-    Maker{{.id = "hole-notes", .isAnswer = true}, made<holeNotes>},
+    Maker{{.id = "holes", .isAnswer = true},
+          [](const WorkshopModel& model) -> Content { return model.holeResults(); }},
+    Maker{{.id = "hole-notes", .isAnswer = true},
+          [](const WorkshopModel& model) -> Content { return linesOf(model, "hole-notes"); }},
     Maker{{.id = "runs", .isAnswer = true}, made<&WorkshopModel::runResults>},
     Maker{{.id = "drilled", .isAnswer = true}, made<inWords<&WorkshopModel::drilledResults>>},
     Maker{{.id = "options", .isAnswer = true}, made<&WorkshopModel::optionResults>},

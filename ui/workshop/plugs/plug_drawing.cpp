@@ -282,39 +282,28 @@ std::optional<PlugDrawing> plannedPlug(const v8_plugs::Input& input,
 
 void drawPlug(QPainter& painter, const QRectF& target, const std::optional<PlugDrawing>& known,
               const DrawingStyle& style, const Words& words) {
-    if (!known) {
-        // Proportions of the cup M30×1.5 of the 6 and 7 l engines; the numbers are not shown.
-        PlugDrawing drawing;
-        drawing.plug = {{30 * mm, 1.5 * mm}, 14 * mm, 20 * mm, 7 * mm};
-        drawing.cutterDiameter = 16 * mm;
-        drawing.cutDepth = 9.5 * mm;
-        const Labels labels{words.translate("V8", "thread", "drawing"),
-                            QStringLiteral("h"),
-                            QStringLiteral("⌀ b"),
-                            QStringLiteral("t"),
-                            QStringLiteral("⌀ c"),
-                            QStringLiteral("t′"),
-                            {}};
-        Sketch(painter, style).draw(target, drawing, labels);
-        return;
-    }
-    const PlugDrawing& drawing = *known;
+    // Without sizes the proportions of the cup M30×1.5 of the 6 and 7 l engines, with letters.
+    const PlugDrawing drawing = known.value_or(
+        PlugDrawing{{{30 * mm, 1.5 * mm}, 14 * mm, 20 * mm, 7 * mm}, 16 * mm, 9.5 * mm});
     const v8_plugs::PlugGeometry& plug = drawing.plug;
-    // Millimetres go without saying on a drawing.
-    const auto shown = [&](double length) {
-        return shownAs(mm) == mm ? words.plain(length, mm, 2) : words.plainWithUnit(length, mm, 2);
+    const auto shown = [&](const QString& sign, double length, const QString& letter) {
+        // Millimetres go without saying on a drawing.
+        return sign + (!known              ? letter
+                       : shownAs(mm) == mm ? words.plain(length, mm, 2)
+                                           : words.plainWithUnit(length, mm, 2));
     };
-    Labels labels;
-    labels.thread = v8_text::thread(words, plug.thread);
-    labels.height = shown(plug.height);
-    labels.boreDiameter = QStringLiteral("⌀") + shown(plug.bore_diameter);
-    labels.boreDepth = shown(plug.bore_depth);
-    if (drawing.cutterDiameter) {
-        labels.cutDiameter = QStringLiteral("⌀") + shown(*drawing.cutterDiameter);
-        labels.cutDepth = shown(drawing.cutDepth);
-    }
-    labels.bottom = shown(plug.height - std::max(plug.bore_depth, drawing.cutDepth));
-    Sketch(painter, style).draw(target, drawing, labels);
+    const QString diameter = known ? QStringLiteral("⌀") : QStringLiteral("⌀ ");
+    Sketch(painter, style)
+        .draw(target, drawing,
+              {.thread = known ? v8_text::thread(words, plug.thread)
+                               : words.translate("V8", "thread", "drawing"),
+               .height = shown({}, plug.height, QStringLiteral("h")),
+               .boreDiameter = shown(diameter, plug.bore_diameter, QStringLiteral("b")),
+               .boreDepth = shown({}, plug.bore_depth, QStringLiteral("t")),
+               .cutDiameter =
+                   shown(diameter, drawing.cutterDiameter.value_or(0.0), QStringLiteral("c")),
+               .cutDepth = shown({}, drawing.cutDepth, QStringLiteral("t′")),
+               .bottom = shown({}, plug.height - std::max(plug.bore_depth, drawing.cutDepth), {})});
 }
 
 }  // namespace ravnoves
