@@ -1337,6 +1337,14 @@
         <translation>вращающаяся масса</translation>
     </message>
     <message>
+        <source>&amp;Name of the engine</source>
+        <translation>&amp;Название двигателя</translation>
+    </message>
+    <message>
+        <source>The journal finds the jobs of an engine by its name: “Copy as new job” takes engine and plugs from them.</source>
+        <translation>По названию журнал находит работы двигателя: «Копировать как новую» берёт из них двигатель и заглушки.</translation>
+    </message>
+    <message>
         <source>Results use the previous value of the red field.</source>
         <translation>Результаты — по прежнему значению красного поля.</translation>
     </message>
@@ -14138,14 +14146,6 @@ but at this l no α is feasible</source>
     <message>
         <source>All plugs are treated as equal: enter the mean mass. Match plugs that differ by more than 0.5 g.</source>
         <translation>Все заглушки считаются одинаковыми: введите среднюю массу. Заглушки с разницей более 0,5 г подгоните.</translation>
-    </message>
-    <message>
-        <source>&amp;Name of the engine</source>
-        <translation>&amp;Название двигателя</translation>
-    </message>
-    <message>
-        <source>The journal finds the jobs of an engine by its name: “Copy as new job” takes engine and plugs from them.</source>
-        <translation>По названию журнал находит работы двигателя: «Копировать как новую» берёт из них двигатель и заглушки.</translation>
     </message>
 </context>
 <context>

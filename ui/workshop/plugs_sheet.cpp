@@ -2,7 +2,6 @@
 #include <QLabel>
 
 #include "case-file/input_error.h"
-#include "shop/checked_field.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
 #include "widgets/text_length.h"
@@ -79,20 +78,21 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
 
 /// An engine that has a name is found by it in the journal.
 void PlugsSheet::addName() {
-    auto* name =
-        ordered(new CheckedField([](const QString& /*typed*/) { return QString(); }, current()));
-    name->setObjectName(QStringLiteral("engine_name"));
-    name->setIsOfResult(false);
-    name->setModel(model_);
+    static constexpr Field description{
+        .key = "engine_name",
+        .label = Text::tr("&Name of the engine"),
+        .hint = Text::tr("The journal finds the jobs of an engine by its name: “Copy as new job” "
+                         "takes engine and plugs from them.")};
+    EntryField* name = checked(description, {[](const QString& typed) { return typed; },
+                                             {},
+                                             [this] { return model_->ownEngineName(); },
+                                             [this](const QString& /*step*/, const QString& typed) {
+                                                 model_->nameEngine(typed);
+                                             },
+                                             {},
+                                             false});
     limitLength(name, 80);
-    enlarge(name);
-    current()->addWidget(tr("&Name of the engine"), name, {},
-                         tr("The journal finds the jobs of an engine by its name: “Copy as new "
-                            "job” takes engine and "
-                            "plugs from them."));
-    connect(name, &CheckedField::valueEdited, model_, &WorkshopModel::nameEngine);
     follow([this, name] {
-        name->setValue(model_->ownEngineName());
         name->setPlaceholderText(model_->engineNames().value(model_->engineIndex()));
     });
 }

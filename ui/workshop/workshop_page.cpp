@@ -498,7 +498,7 @@ Paper WorkshopPage::card() {
         retold = [&](const EntryField& field) {
             const auto form = std::ranges::find_if(
                 forms_, [&](const WorkshopSheet* each) { return each->isAncestorOf(&field); });
-            const QString name = form == forms_.end() ? QString() : (*form)->nameOf(field, words);
+            const QString name = form == forms_.end() ? QString() : (*form)->nameIn(words, field);
             const QString typed = words.locale().quoteString(field.text());
             return name.isEmpty() ? typed : name + QStringLiteral(": ") + typed;
         };

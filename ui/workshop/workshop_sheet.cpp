@@ -11,7 +11,6 @@
 #include <algorithm>
 
 #include "case-file/input_error.h"
-#include "shop/checked_field.h"
 #include "text/capital.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -26,6 +25,26 @@ namespace {
 
 constexpr int numberWidth = 140;
 constexpr int textFieldWidth = 290;
+
+/// A field for text that must have a form (a date, a thread); it may be empty.
+class CheckedField final : public ValueEntry<QString> {
+  public:
+    using Check = std::function<QString(const QString& text)>;
+    /// @param check  the fault of a text; empty without one
+    CheckedField(Check check, std::function<void(const QString& text)> passOn, QWidget* parent)
+        : ValueEntry(parent), check_(std::move(check)), passOn_(std::move(passOn)) {}
+
+  protected:
+    Reading read(const QString& typed) const override {
+        return {typed, typed.isEmpty() ? QString() : check_(typed)};
+    }
+    QString written() const override { return value(); }
+    void passOn() override { passOn_(value()); }
+
+  private:
+    Check check_;
+    std::function<void(const QString& text)> passOn_;
+};
 
 }  // namespace
 
@@ -136,6 +155,9 @@ EntryField* WorkshopSheet::checked(const Field& description, const CheckedText& 
         [text](const QString& typed) {
             return text.normal(typed).isEmpty() ? text.rejection(typed) : QString();
         },
+        [name = fieldName(description), text](const QString& typed) {
+            text.write(name, text.normal(typed));
+        },
         current()));
     field->setObjectName(QString::fromStdString(std::string(description.key)));
     const QString example = text.normal(shownText(description.placeholder));
@@ -152,10 +174,6 @@ EntryField* WorkshopSheet::checked(const Field& description, const CheckedText& 
         field->setMaximumWidth(Theme::withText(numberWidth));  // under the numbers
     }
     current()->addWidget(shownText(description.label), field, unit);
-    connect(field, &CheckedField::valueEdited, this,
-            [name = fieldName(description), text](const QString& typed) {
-                text.write(name, text.normal(typed));
-            });
     follow([field, text] {
         // What was typed in another form stays as it was typed.
         const QString value = text.read();
@@ -281,7 +299,7 @@ NumberField* WorkshopSheet::cell(const Field& field, const QString& key, const N
     return made;
 }
 
-QString WorkshopSheet::nameOf(const EntryField& field, const Words& words) const {
+QString WorkshopSheet::nameIn(const Words& words, const EntryField& field) const {
     const auto cell = names_.find(&field);
     return cell != names_.end() ? cell->second(words)
                                 : words.text(field.label()).remove(QLatin1Char('&'));

@@ -29,7 +29,7 @@ class WorkshopSheet : public Form {
     /// The same in the order of Tab: along the rows of a grid.
     QList<QWidget*> tabOrder() const;
     /// The name of a field in another language than the window's.
-    QString nameOf(const EntryField& field, const Words& words) const;
+    QString nameIn(const Words& words, const EntryField& field) const;
 
     /// Its readings are of another bob weight or crankshaft: its tab is yellow, and so are their
     /// fields.

@@ -15,7 +15,6 @@
 #include "bob-weights/factor_theory.h"
 #include "model/case_document.h"
 #include "page/part_views.h"
-#include "shop/checked_field.h"
 #include "shop/model/verdict.h"
 #include "shown_number.h"
 #include "text/preferences.h"
@@ -1066,7 +1065,7 @@ TEST_F(CardJobTest, ARejectedEntryThatNoResultNeedsLeavesTheAnswerUpToDate) {
     for (const auto& [name, wrong, right] : {std::tuple("date", u"31.02.2024"_s, u"2024-02-29"_s),
                                              std::tuple("planes", u"left"_s, u"left / right"_s)}) {
         type(name, wrong);
-        const QString trouble = find<CheckedField>(name)->trouble();
+        const QString trouble = find<EntryField>(name)->trouble();
         EXPECT_FALSE(trouble.isEmpty());
         EXPECT_TRUE(label("rejected").isEmpty()) << qPrintable(label("rejected"));
         EXPECT_FALSE(isAmber("headline"));
@@ -1075,7 +1074,7 @@ TEST_F(CardJobTest, ARejectedEntryThatNoResultNeedsLeavesTheAnswerUpToDate) {
         EXPECT_FALSE(has(printed, u"outdated"_s));
         EXPECT_TRUE(has(printed, u"Not accepted, the previous value is used: "_s));
         type(name, right);
-        EXPECT_TRUE(find<CheckedField>(name)->trouble().isEmpty());
+        EXPECT_TRUE(find<EntryField>(name)->trouble().isEmpty());
     }
 }
 
