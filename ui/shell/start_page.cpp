@@ -28,7 +28,7 @@
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "workshop/journal_dialog.h"
-#include "workshop/model/listed_job.h"
+#include "workshop/model/job_desk.h"
 
 namespace ravnoves {
 

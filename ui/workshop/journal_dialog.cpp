@@ -20,7 +20,7 @@
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/text_length.h"
-#include "workshop/model/listed_job.h"
+#include "workshop/model/job_desk.h"
 #include "workshop/workshop_sheet.h"
 
 namespace ravnoves {

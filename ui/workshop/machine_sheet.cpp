@@ -170,8 +170,7 @@ void MachineSheet::buildRuns() {
                 const auto name = [this, run, plane, isAngle](const Words& words) {
                     return WorkshopModel::runName(words, run) + QStringLiteral(", ") +
                            model_->planeName(plane, words) + QStringLiteral(": ") +
-                           (isAngle ? WorkshopModel::spotName(words, model_->input().machine)
-                                    : words.name(field::unbalance));
+                           (isAngle ? model_->spotName(words) : words.name(field::unbalance));
                 };
                 const QString key =
                     QStringLiteral("%1_%2")

@@ -19,7 +19,6 @@
 #include "shown_number.h"
 #include "text/preferences.h"
 #include "workshop/journal_dialog.h"
-#include "workshop/model/listed_job.h"
 #include "workshop/plane_view.h"
 #include "workshop/sheets.h"
 

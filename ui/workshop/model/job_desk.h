@@ -112,4 +112,11 @@ class JobDesk : public QObject {
     bool isJournaled_ = false;
 };
 
+/// What lists of the journal's jobs say of one.
+struct ListedJob {
+    QString engine;
+    QString result;
+};
+ListedJob listedJob(const Words& words, const JournalJob& job);
+
 }  // namespace ravnoves

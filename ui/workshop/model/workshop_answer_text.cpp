@@ -47,6 +47,10 @@ QString atAngle(const Words& words, const QString& shown, double unbalance, doub
                                     : shown;
 }
 
+QString planeTitle(const Words& words, const workshop::Input& input, std::size_t plane) {
+    return words.message(shop::plane_title(input.machine.planes, plane));
+}
+
 /// By what limit, and how the planes share it.
 QString limitOrigin(const Words& words, const Tolerance& tolerance) {
     if (!tolerance.by_grade) {
@@ -92,13 +96,12 @@ QString WorkshopModel::engineName(const Words& words, const bob_weights::Engine&
     return {};
 }
 
-QString WorkshopModel::planeName(const Words& words, const workshop::Machine& machine,
-                                 std::size_t plane) {
-    return words.message(shop::plane_title(machine.planes, plane));
+QString WorkshopModel::planeName(std::size_t plane, const Words& words) const {
+    return planeTitle(words, input(), plane);
 }
 
-QString WorkshopModel::spotName(const Words& words, const workshop::Machine& machine) {
-    return words.text(workshop::shows_words[static_cast<std::size_t>(machine.shows)].label);
+QString WorkshopModel::spotName(const Words& words) const {
+    return words.text(workshop::shows_words[static_cast<std::size_t>(input().machine.shows)].label);
 }
 
 QString WorkshopModel::runName(const Words& words, std::size_t run) {
@@ -137,7 +140,7 @@ QString valueMissing(const Words& words, const workshop::Input& input, std::size
                 ? words.translate("BobWeights", "Sheet 5, %1, %2: enter the angle.")
                 : words.translate("BobWeights", "Sheet 5, %1, %2: enter the unbalance."))
         .arg(WorkshopModel::runName(words, run - first_run(input.correction)),
-             WorkshopModel::planeName(words, input.machine, plane));
+             planeTitle(words, input, plane));
 }
 
 /// What an error says, with its place on the form.
@@ -160,7 +163,7 @@ QString ruleText(const Words& words, const workshop::Input& input, const InputEr
     if (isMissing && group != std::end(groups)) {
         QString sheet = words.translate("BobWeights", group->second);
         for (const std::size_t plane : elements) {
-            sheet = sheet.arg(WorkshopModel::planeName(words, input.machine, plane));
+            sheet = sheet.arg(planeTitle(words, input, plane));
         }
         return field.key == field::diameters.key
                    ? words
@@ -171,8 +174,7 @@ QString ruleText(const Words& words, const workshop::Input& input, const InputEr
                          .arg(sheet, name, words.text(field.hint));
     }
     if (group == std::begin(groups)) {  // the form has a column for each plane, no rows
-        name = WorkshopModel::planeName(words, input.machine, elements.front()) +
-               QStringLiteral(", ") + inSentence(name);
+        name = planeTitle(words, input, elements.front()) + QStringLiteral(", ") + inSentence(name);
     }
     const QString rule =
         words.message(isMissing ? error.allowed_message()
@@ -253,7 +255,7 @@ QStringList correctedRuns(const Words& words, const workshop::Input& input,
 }
 
 /// What falls short, plane by plane.
-QStringList shortfalls(const Words& words, const workshop::Machine& machine,
+QStringList shortfalls(const Words& words, const workshop::Input& input,
                        const bob_weights::Result& result) {
     QStringList list;
     // Nothing is said of a correction by readings that may not hold.
@@ -261,7 +263,7 @@ QStringList shortfalls(const Words& words, const workshop::Machine& machine,
         for (std::size_t i = 0; i < 2; ++i) {
             const PlaneResult& plane = (*result.correction)[i];
             if (!plane.reason.empty()) {
-                list << WorkshopModel::planeName(words, machine, i) + QStringLiteral(": ") +
+                list << planeTitle(words, input, i) + QStringLiteral(": ") +
                             words.message(plane.reason);
             }
         }
@@ -532,7 +534,7 @@ QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
         }
     }
     list << notCounted(words) << notGiven(words, result) << missingAngles(words, input(), result)
-         << shortfalls(words, input().machine, result) << correctedRuns(words, input(), result)
+         << shortfalls(words, input(), result) << correctedRuns(words, input(), result)
          << plugTroubles(words);
     list.removeAll(QString());
     list.removeDuplicates();
@@ -662,10 +664,6 @@ void WorkshopModel::moveParts() {
 }
 
 // ----------------------------------------------------------------------------- the correction
-
-QString WorkshopModel::planeName(std::size_t plane, const Words& words) const {
-    return planeName(words, input().machine, plane);
-}
 
 QString WorkshopModel::machineText(const Words& words) const {
     const workshop::Machine& machine = input().machine;

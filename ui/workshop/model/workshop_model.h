@@ -206,11 +206,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     // 90°", "4 in line", "Boxer, 6".
     static QString engineName(const Words& words, const bob_weights::Engine& engine);
     /// As the machine is set up to call it.
-    static QString planeName(const Words& words, const workshop::Machine& machine,
-                             std::size_t plane);
     QString planeName(std::size_t plane, const Words& words = {}) const;
     /// What the angles of the readings are of.
-    static QString spotName(const Words& words, const workshop::Machine& machine);
+    QString spotName(const Words& words) const;
     /// "Before", "Run 1".
     static QString runName(const Words& words, std::size_t run);
     /// How the machine is set up.
