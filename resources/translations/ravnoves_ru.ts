@@ -12902,10 +12902,6 @@ but at this l no α is feasible</source>
         <translation>Черновики не удалось прочесть.</translation>
     </message>
     <message>
-        <source>The engine could not be saved.</source>
-        <translation>Двигатель не удалось сохранить.</translation>
-    </message>
-    <message>
         <source>The engine could not be removed.</source>
         <translation>Двигатель не удалось удалить.</translation>
     </message>

@@ -6,7 +6,6 @@
 #include <QSettings>
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "bob-weights/fields.h"
 #include "shop/model/verdict.h"
@@ -177,13 +176,13 @@ Block runBlock(const Words& words, const WorkshopModel& model) {
 
 /// Which set goes to which cylinder, and apart from it what to take off the parts who want them
 /// closer; nothing where nothing is to be done, or there are more cylinders than columns.
-std::vector<Block> matchingBlocks(const Words& words, const WorkshopModel& model) {
+void addMatching(std::vector<Block>& blocks, const Words& words, const WorkshopModel& model) {
     constexpr std::size_t maxCylinders = 16;
     const auto cylinders = static_cast<std::size_t>(model.input().engine.cylinders);
     if (cylinders > maxCylinders) {
-        return {};
+        return;
     }
-    std::vector<Block> blocks;
+    const std::size_t first = blocks.size();
     const auto add = [&](const QString& heading, const Results& results) {
         if (!results.rows.isEmpty()) {
             blocks.push_back({heading, byCylinder(cylinders), results});
@@ -195,33 +194,31 @@ std::vector<Block> matchingBlocks(const Words& words, const WorkshopModel& model
                   : words.translate("Matching", "Matched parts: applied, the masses are moved"),
             model.assignmentResults(words));
     }
-    add((blocks.empty()
+    add((blocks.size() == first
              ? words.translate("Matching", "To match the lightest part, if required: take off, %1")
              : words.translate(
                    "Matching",
                    "To match the lightest part, only if moving is not enough: take off, %1"))
             .arg(words.unit(units::gram)),
         model.takeOffResults(words));
-    if (!blocks.empty()) {
+    if (blocks.size() > first) {
         blocks.back().say(words.translate("Matching",
                                           "The bob weight is for the parts as weighed: weigh parts "
                                           "again after making them lighter."));
     }
-    return blocks;
 }
 
 /// The weights of the sheet, as many cylinders in a table as are read well.
-std::vector<Block> weightBlocks(const Words& words, const WorkshopModel& model) {
+void addWeights(std::vector<Block>& blocks, const Words& words, const WorkshopModel& model) {
     const Engine& engine = model.input().engine;
     const auto sheet = fitted(model.input()).weigh_in;
     if (!sheet || sheet->is_empty()) {
-        return {};
+        return;
     }
     constexpr std::size_t maximum = 12;
     const auto cylinders = static_cast<std::size_t>(engine.cylinders);
     const std::size_t tables = (cylinders + maximum - 1) / maximum;
     const std::size_t each = (cylinders + tables - 1) / tables;
-    std::vector<Block> blocks;
     for (std::size_t first = 0; first < cylinders; first += each) {
         const std::size_t end = std::min(first + each, cylinders);
         Block block{words.translate("JobCard", "Masses of the parts by cylinder, %1")
@@ -250,29 +247,28 @@ std::vector<Block> weightBlocks(const Words& words, const WorkshopModel& model) 
         blocks.back().say(words.translate("BobWeights", "Cylinders that share a crankpin: %1.")
                               .arg(pins.join(QStringLiteral("; "))));
     }
-    return blocks;
 }
 
 /// All that follows from the weights.
-std::vector<Block> weighedBlocks(const Words& words, const WorkshopModel& model) {
-    std::vector<Block> blocks = matchingBlocks(words, model);
-    std::ranges::move(weightBlocks(words, model), std::back_inserter(blocks));
-    if (blocks.empty()) {
-        return blocks;
+void addWeighed(std::vector<Block>& blocks, const Words& words, const WorkshopModel& model) {
+    const std::size_t first = blocks.size();
+    addMatching(blocks, words, model);
+    addWeights(blocks, words, model);
+    if (blocks.size() == first) {
+        return;
     }
     const QString again = model.weighAgain(words);
-    blocks.front().say(model.assignmentText(words), again.isEmpty() ? ink : amber);
+    blocks[first].say(model.assignmentText(words), again.isEmpty() ? ink : amber);
     const Results effects = model.effectResults(words);
     if (effects.rows.size() > 1) {  // the spread is in the summary
         blocks.insert(
-            blocks.begin() + 1,
+            blocks.begin() + static_cast<std::ptrdiff_t>(first) + 1,
             {words.translate("Matching", "Effect of the matching"), {44, 28, 28}, effects});
     }
-    return blocks;
 }
 
 /// The options of the plugs, and the values of the engine.
-std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
+void addPlugs(std::vector<Block>& blocks, const Words& words, const WorkshopModel& model) {
     const v8_plugs::Input& input = *model.plugsInput();
     const v8_plugs::Result& result = *model.plugs();
     Block options{
@@ -323,12 +319,8 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
     }
     add(words.name(v8_plugs::field::tolerance),
         words.plainWithUnit(input.tolerance, units::gram_mm, 2));
-    std::vector<Block> blocks;
-    if (!options.table.rows.isEmpty()) {
-        blocks.push_back(std::move(options));
-    }
+    blocks.push_back(std::move(options));
     blocks.push_back(std::move(values));
-    return blocks;
 }
 
 /// A row across the page, or several; cells are HTML.
@@ -552,9 +544,9 @@ class Card {
         }
         std::vector<Block> blocks;
         if (model_.plugs() != nullptr) {
-            blocks = plugBlocks(words_, model_);
+            addPlugs(blocks, words_, model_);
         }
-        std::ranges::move(weighedBlocks(words_, model_), std::back_inserter(blocks));
+        addWeighed(blocks, words_, model_);
         for (const Block& block : blocks) {
             parts += block.html();
         }
