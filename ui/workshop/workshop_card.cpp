@@ -431,27 +431,23 @@ class Card {
         for (std::size_t plane = 0; plane < 2; ++plane) {
             names << lines(model_.planeName(plane, words_), 14, true);
             const QSize size(320, 164);
-            pictures << paper_.picture({{},
-                                        {},
-                                        size,
-                                        [input = model_.input(), shaft = model_.solution(), plane,
-                                         size](QPainter& painter) {
-                                            const QColor black(ink);
-                                            const QColor hair(0x99, 0x99, 0x99);
-                                            drawPlane(painter, QRectF(QPointF(), size),
-                                                      {input, shaft, plane},
-                                                      {.line = black,
-                                                       .thin = hair,
-                                                       .text = black,
-                                                       .hole = black,
-                                                       .slug = QColor(grey),
-                                                       .reading = QColor(amber),
-                                                       .limit = QColor(grey),
-                                                       .fits = black,
-                                                       .exceeds = QColor(amber),
-                                                       .font = Theme::font(9),
-                                                       .lineWidth = 1.1});
-                                        }});
+            const auto draw = [input = model_.input(), shaft = model_.solution(), plane,
+                               size](QPainter& painter) {
+                const QColor black(ink);
+                drawPlane(painter, QRectF(QPointF(), size), {input, shaft, plane},
+                          {.line = black,
+                           .thin = QColor(0x99, 0x99, 0x99),
+                           .text = black,
+                           .hole = black,
+                           .slug = QColor(grey),
+                           .reading = QColor(amber),
+                           .limit = QColor(grey),
+                           .fits = black,
+                           .exceeds = QColor(amber),
+                           .font = Theme::font(9),
+                           .lineWidth = 1.1});
+            };
+            pictures << paper_.picture({{}, {}, size, draw});
             Results found = model_.holeResults(words_, plane);
             paper::Table table = paper::tableOf(found);
             table.widths = {36, 26, 16, 22};
