@@ -54,15 +54,14 @@ QWidget* MachineSheet::nextReading() const {
     return next == readings_.end() ? readings_.first() : *next;
 }
 
-/// Headings of columns that are of planes follow their names.
-void MachineSheet::followNames(QGridLayout* grid, const std::vector<std::pair<int, int>>& columns,
-                               const QStringList& units) {
-    follow([this, grid, columns, units] {
-        for (const auto& [column, plane] : columns) {
-            auto* heading = static_cast<QLabel*>(grid->itemAtPosition(0, column)->widget());
-            const QString name = model_->planeName(static_cast<std::size_t>(plane));
-            const QString unit = units.value(column - 1);
-            heading->setText(unit.isEmpty() ? name : name + QStringLiteral(", ") + unit);
+/// Headings of columns that are of planes follow their names: first those of the front plane.
+void MachineSheet::followNames(QGridLayout* grid, const QStringList& units) {
+    follow([this, grid, units] {
+        for (qsizetype i = 0; i < 2 * units.size(); ++i) {
+            auto* heading =
+                static_cast<QLabel*>(grid->itemAtPosition(0, static_cast<int>(i) + 1)->widget());
+            const QString name = model_->planeName(static_cast<std::size_t>(i / units.size()));
+            heading->setText(titleWithUnit(name, units[i % units.size()]));
         }
     });
 }
@@ -93,7 +92,7 @@ void MachineSheet::addHold() {
 void MachineSheet::buildPlanes() {
     section(tr("Planes"));
     const auto sheet = this->grid({QString(), QString(), QString()});
-    followNames(sheet.first, {{1, 0}, {2, 1}}, {});
+    followNames(sheet.first, {QString()});
     QGridLayout* const grid = sheet.first;
     TroubleLine* const trouble = sheet.second;
     std::array<QList<NumberField*>, 2> fields;
@@ -156,7 +155,7 @@ void MachineSheet::buildRuns() {
     const QString unit = words.unit(units::gram_mm);
     const QString degrees = QStringLiteral("°");
     const auto [grid, trouble] = this->grid({QString(), unit, degrees, unit, degrees});
-    followNames(grid, {{1, 0}, {2, 0}, {3, 1}, {4, 1}}, {unit, degrees, unit, degrees});
+    followNames(grid, {unit, degrees});
     QList<QList<QWidget*>> rows;
     for (std::size_t run = 0; run < max_runs; ++run) {
         const int at = grid->rowCount();

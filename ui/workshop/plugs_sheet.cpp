@@ -56,11 +56,9 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
         number((std::string("/plugs/plug/") + size).c_str());
     }
     line(Theme::baseSize, [this] { return model_->plugWeightText(); });
-    plugsSection(true, {});
     addPlugs(tr("There are &aluminium plugs"), QStringLiteral("has_aluminium_plug"),
              tr("Options include aluminium plugs instead of steel plugs."),
              v8_plugs::EngineGroup::aluminium_plug, &v8_plugs::Engine::has_aluminium_plug);
-    plugsSection(true, {});
     addPlugs(tr("There are plugs of the new &design"), QStringLiteral("has_new_plug"),
              tr("Options include plugs of the new design, for a crankshaft made for them."),
              v8_plugs::EngineGroup::new_plug, &v8_plugs::Engine::has_new_plug);
@@ -121,6 +119,7 @@ void PlugsSheet::addThread() {
 
 void PlugsSheet::addPlugs(const QString& label, const QString& name, const QString& hint,
                           v8_plugs::EngineGroup group, bool v8_plugs::Engine::*member) {
+    plugsSection(true, {});
     QCheckBox* there = ordered(box(
         name, label, hint,
         [this, member] { return model_->hasPlugs() && model_->input().plugs->engine.*member; },

@@ -89,8 +89,7 @@ class MachineSheet : public WorkshopSheet {
     void buildPlanes();
     void buildTolerance();
     void buildMachine();
-    void followNames(QGridLayout* grid, const std::vector<std::pair<int, int>>& columns,
-                     const QStringList& units);
+    void followNames(QGridLayout* grid, const QStringList& units);
 
     QList<NumberField*> readings_;  ///< run by run
     QPushButton* hold_ = nullptr;

@@ -255,7 +255,12 @@ void WorkshopPage::buildActions() {
         [this] { saveJob(false); });
     add(QStringLiteral("new_job"), QStringLiteral("job-new"), tr("&Next job"),
         QKeySequence(Qt::Key_F4), tr("Next job: engine values are kept, other fields are cleared"),
-        [this] { newJob(); });
+        [this] {
+            if (mayReplaceJob()) {
+                model_->newJob();
+                showNewJob(tr("The sheet is empty."));
+            }
+        });
     add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
         QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal(); });
     actions_ << nullptr;
@@ -279,9 +284,22 @@ void WorkshopPage::buildActions() {
     add(QStringLiteral("shop"), {}, tr("S&hop on the job card…"), {}, {},
         [this] { askShopName(this); });
     actions_ << nullptr;
-    add(QStringLiteral("back_up"), {}, tr("&Back up the journal…"), {}, {}, [this] { backUp(); });
-    add(QStringLiteral("restore"), {}, tr("&Restore from a backup…"), {}, {},
-        [this] { restore(); });
+    add(QStringLiteral("back_up"), {}, tr("&Back up the journal…"), {}, {}, [this] {
+        const QString name = QStringLiteral("journal-") +
+                             QDate::currentDate().toString(Qt::ISODate) + QStringLiteral(".sqlite");
+        const QString file = askSavePath(this, tr("Back up the journal"), name,
+                                         {{QStringLiteral("sqlite"), tr("Journal")}});
+        if (!file.isEmpty()) {
+            QMessageBox::information(this, tr("Journal"), desk()->backUpJournal(file));
+        }
+    });
+    add(QStringLiteral("restore"), {}, tr("&Restore from a backup…"), {}, {}, [this] {
+        const QString file =
+            askOpenPath(this, tr("Restore from a backup"), {}, tr("Journal (*.sqlite)"));
+        if (!file.isEmpty()) {
+            restoreFrom(file);
+        }
+    });
 }
 
 void WorkshopPage::buildCardLanguages() {
@@ -444,25 +462,6 @@ bool WorkshopPage::mayReplaceJob() {
     return *askToSave() && (isAsked || rejectedEntriesAreKnown());
 }
 
-void WorkshopPage::backUp() {
-    const QString file =
-        askSavePath(this, tr("Back up the journal"),
-                    QStringLiteral("journal-") + QDate::currentDate().toString(Qt::ISODate) +
-                        QStringLiteral(".sqlite"),
-                    {{QStringLiteral("sqlite"), tr("Journal")}});
-    if (!file.isEmpty()) {
-        QMessageBox::information(this, tr("Journal"), desk()->backUpJournal(file));
-    }
-}
-
-void WorkshopPage::restore() {
-    const QString file =
-        askOpenPath(this, tr("Restore from a backup"), {}, tr("Journal (*.sqlite)"));
-    if (!file.isEmpty()) {
-        restoreFrom(file);
-    }
-}
-
 void WorkshopPage::restoreFrom(const QString& file) {
     if (!desk()->openJournal()) {
         QMessageBox::warning(this, tr("Journal"), desk()->journalTrouble());
@@ -577,13 +576,6 @@ bool WorkshopPage::isJobKnown() {
         desk()->setJob();
     }
     return answer >= 0;
-}
-
-void WorkshopPage::newJob() {
-    if (mayReplaceJob()) {
-        model_->newJob();
-        showNewJob(tr("The sheet is empty."));
-    }
 }
 
 void WorkshopPage::goToBeginning() {

@@ -91,11 +91,8 @@ class WorkshopPage : public ScenePage {
     /// invalid.
     /// @return false to cancel
     bool isJobKnown();
-    void backUp();
-    void restore();
     /// In the background, until it ends or is cancelled.
     void restoreFrom(const QString& file);
-    void newJob();
     /// A job of the journal comes onto the sheet, unchanged or as a new one like it.
     void bringJob(qint64 id, bool isCopy);
     /// The sheet of a new job, from its beginning. @param said  what became of the sheet
