@@ -356,8 +356,7 @@ bool printPaper(const Paper& paper, QPagedPaintDevice& device) {
     // Letter has pages of its own, but for a sheet to write on, which must be whole. It is shorter
     // than A4, one on its side much more: the page shrinks to it, in the middle.
     const bool isLetter = layout.pageSize().id() == QPageSize::Letter &&
-                          layout.orientation() == QPageLayout::Portrait &&
-                          !paper.isWrittenOn;
+                          layout.orientation() == QPageLayout::Portrait && !paper.isWrittenOn;
     const QSizeF laid = isLetter ? sheet.size() : a4;
     const double scale =
         std::min({1.0, sheet.width() / laid.width(), sheet.height() / laid.height()});
