@@ -98,23 +98,20 @@ class PlanePlanner {
         const Message remains{Text::tr("Residual: %1 at the drilling radius at %2."),
                               shop::in_grams(std::abs(left) / cut_.radius),
                               Number{turn_of(std::arg(left)) / degree, units::degree, -1}};
-        Message remedy =
-            !can_press && !can_deepen
-                ? Text::tr(
-                      "The opposite side is outside the sector too: widen the sector if there "
-                      "is metal, or as a last resort weld an equal mass on that side.")
-            : !can_press
-                ? Text::tr(
-                      "The opposite side is outside the sector too: drill deeper or wider, or "
-                      "as a last resort weld an equal mass on that side.")
-            : has_slugs_ ? Text::tr("As a last resort weld an equal mass on the opposite side.")
-            : can_deepen
-                ? Text::tr(
-                      "Press in heavy metal opposite, drill deeper or wider, or as a last "
-                      "resort weld an equal mass on that side.")
-                : Text::tr(
-                      "Press in heavy metal opposite, or as a last resort weld an equal mass "
-                      "on that side.");
+        // By its angle: "that side" was read as the heavy one.
+        Message remedy{Text::tr("As a last resort weld an equal mass at %1."),
+                       Number{opposite / degree, units::degree, -1}};
+        if (!can_press || !has_slugs_) {
+            remedy = shop::two_sentences(
+                !can_press && !can_deepen
+                    ? Text::tr("The opposite side is outside the sector too: widen the sector if "
+                               "there is metal.")
+                : !can_press ? Text::tr("The opposite side is outside the sector too: drill "
+                                        "deeper or wider.")
+                : can_deepen ? Text::tr("Press in heavy metal opposite, or drill deeper or wider.")
+                             : Text::tr("Press in heavy metal opposite."),
+                remedy);
+        }
         if (const Message no_slug = why_no_slug(opposite, planned); can_press && !no_slug.empty()) {
             remedy = shop::two_sentences(no_slug, remedy);
         }

@@ -496,7 +496,7 @@ void drilled_otherwise(DoubtSearch& job) {
         const Text text =
             !is_large ? Text::tr(
                             "%1: residual %2 after drilling instead of %3. Check the actual "
-                            "depth of the holes before drilling again.")
+                            "angle and depth of the holes before drilling again.")
             : other.is_in_other_plane
                 ? Text::tr(
                       "%1: residual %2 after drilling instead of %3, as if the holes were in "

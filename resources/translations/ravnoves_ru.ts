@@ -4441,16 +4441,16 @@
         <translation>Остаток: %1 на радиусе сверления под углом %2.</translation>
     </message>
     <message>
-        <source>The opposite side is outside the sector too: drill deeper or wider, or as a last resort weld an equal mass on that side.</source>
-        <translation>Противоположная сторона тоже вне сектора: сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
+        <source>The opposite side is outside the sector too: drill deeper or wider.</source>
+        <translation>Противоположная сторона тоже вне сектора: сверлите глубже или шире.</translation>
     </message>
     <message>
-        <source>As a last resort weld an equal mass on the opposite side.</source>
-        <translation>В крайнем случае наварите столько же напротив.</translation>
+        <source>As a last resort weld an equal mass at %1.</source>
+        <translation>В крайнем случае приварите равную массу на угле %1.</translation>
     </message>
     <message>
-        <source>Press in heavy metal opposite, drill deeper or wider, or as a last resort weld an equal mass on that side.</source>
-        <translation>Запрессуйте напротив тяжёлый сплав, сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
+        <source>Press in heavy metal opposite, or drill deeper or wider.</source>
+        <translation>Запрессуйте тяжёлый металл напротив, сверлите глубже или шире.</translation>
     </message>
     <message>
         <source>No bob weights are needed: the crankpins balance one another.</source>
@@ -4465,12 +4465,12 @@
         <translation>Начало сектора сверления на противовесе. Новые отверстия лежат в нём целиком.</translation>
     </message>
     <message>
-        <source>The opposite side is outside the sector too: widen the sector if there is metal, or as a last resort weld an equal mass on that side.</source>
-        <translation>Противоположная сторона тоже вне сектора: расширьте сектор, если там есть металл, или в крайнем случае наварите ту же массу напротив.</translation>
+        <source>The opposite side is outside the sector too: widen the sector if there is metal.</source>
+        <translation>Противоположная сторона тоже вне сектора: расширьте сектор, если там есть металл.</translation>
     </message>
     <message>
-        <source>Press in heavy metal opposite, or as a last resort weld an equal mass on that side.</source>
-        <translation>Запрессуйте тяжёлый металл напротив или в крайнем случае наварите ту же массу напротив.</translation>
+        <source>Press in heavy metal opposite.</source>
+        <translation>Запрессуйте тяжёлый металл напротив.</translation>
     </message>
     <message>
         <source>Radius of the hole centre</source>
@@ -9097,8 +9097,8 @@
         <translation>%1: остаток после сверления %2 вместо %3. Проверьте, как просверлено: угол, глубину, нулевую метку и направление отсчёта.</translation>
     </message>
     <message>
-        <source>%1: residual %2 after drilling instead of %3. Check the actual depth of the holes before drilling again.</source>
-        <translation>%1: остаток после сверления %2 вместо %3. Прежде чем сверлить снова, проверьте фактическую глубину отверстий.</translation>
+        <source>%1: residual %2 after drilling instead of %3. Check the actual angle and depth of the holes before drilling again.</source>
+        <translation>%1: остаток после сверления %2 вместо %3. Прежде чем сверлить снова, проверьте действительные угол и глубину отверстий.</translation>
     </message>
     <message>
         <source>The readings are not in the planes. Enter their angles.</source>
@@ -10058,8 +10058,8 @@
         <translation>При этой расточке он смещается на %1: %2.</translation>
     </message>
     <message>
-        <source>With the plugs removed. With the plugs fitted use %1.</source>
-        <translation>Без заглушек. С заглушками навесьте %1.</translation>
+        <source>With the plugs removed. With the planned plugs fitted use %1.</source>
+        <translation>Без заглушек. С намеченными заглушками навесьте %1.</translation>
     </message>
     <message>
         <source>Would match nominal, but cannot be made.</source>
@@ -10608,6 +10608,14 @@ but at this l no α is feasible</source>
     <message>
         <source>Angle, °</source>
         <translation>Угол, °</translation>
+    </message>
+    <message>
+        <source>Drilled before the &amp;last reading: add</source>
+        <translation>Просверлено до &amp;последнего измерения: добавить</translation>
+    </message>
+    <message>
+        <source>For a hole that was not planned: the last reading contains its effect, the one before does not.</source>
+        <translation>Для отверстия, которого не было в плане: последнее измерение его учитывает, предыдущее — нет.</translation>
     </message>
     <message>
         <source>Drilled before the first reading: &amp;add</source>

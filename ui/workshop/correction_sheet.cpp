@@ -131,7 +131,11 @@ void CorrectionSheet::buildWhatIf() {
     addHole_ = button("add_hole", tr("Drilled before the first reading: &add"),
                       tr("Only for a hole that the first readings contain. New holes keep clear of "
                          "this hole; it may be deepened."),
-                      [this] { addEarlierHole(); });
+                      [this] { addHole(true); });
+    addLateHole_ = button("add_late_hole", tr("Drilled before the &last reading: add"),
+                          tr("For a hole that was not planned: the last reading contains its "
+                             "effect, the one before does not."),
+                          [this] { addHole(false); });
     follow([this] { showWhatIf(); });
     connect(model_, &SceneModel::restarted, this, [this] {
         whatIf_ = {};
@@ -155,6 +159,11 @@ void CorrectionSheet::showWhatIf() {
         return each->trouble().isEmpty() && each->value();
     });
     addHole_->setEnabled(isWhole);
+    const auto& correction = model_->input().correction;
+    const bool isAgain = correction && correction->earlier_runs.size() > first_run(correction) &&
+                         correction->earlier_runs.back().drilled;
+    addLateHole_->setVisible(isAgain);
+    addLateHole_->setEnabled(isWhole);
     const auto left =
         isWhole && !model_->withheld().holes
             ? what_if(model_->input(), model_->solution(), static_cast<PlaneName>(whatIf_.plane),
@@ -344,7 +353,7 @@ QWidget* CorrectionSheet::lastDrilled() const {
     return first == places.end() ? nullptr : rows_.at(first - places.begin()).last();
 }
 
-void CorrectionSheet::addEarlierHole() {
+void CorrectionSheet::addHole(bool isBefore) {
     DrilledHole hole;
     hole.plane = static_cast<PlaneName>(whatIf_.plane);
     hole.diameter = whatIf_.diameter.value();
@@ -354,6 +363,10 @@ void CorrectionSheet::addEarlierHole() {
     whatIf_ = {whatIf_.plane, {}, {}, {}};
     whatIfFields_.first()->setFocus(Qt::OtherFocusReason);  // the button goes grey
     model_->editCorrection(tr("Existing hole"), [&](Correction& correction) {
+        if (!isBefore) {
+            correction.earlier_runs.back().drilled->push_back(hole);
+            return;
+        }
         if (first_run(correction) == 0) {
             EarlierRun before;
             before.readings.clear();  // it was not read

@@ -113,7 +113,8 @@ class CorrectionSheet : public WorkshopSheet {
     void followPlanes(QComboBox* box);
     /// As many rows as there are holes.
     void growRows();
-    void addEarlierHole();
+    /// @param isBefore  it was there before the first reading, else before the last one
+    void addHole(bool isBefore);
 
     /// Of no case: a hole that is thought of, or is to be added.
     struct WhatIf {
@@ -126,6 +127,7 @@ class CorrectionSheet : public WorkshopSheet {
     QList<NumberField*> whatIfFields_;
     QLabel* whatIfLine_ = nullptr;
     QPushButton* addHole_ = nullptr;
+    QPushButton* addLateHole_ = nullptr;
     QGridLayout* holes_ = nullptr;
     TroubleLine* trouble_ = nullptr;
     QList<QList<QWidget*>> rows_;
