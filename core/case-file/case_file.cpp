@@ -192,12 +192,12 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     CaseFile file;
     ObjectReader reader(document, "");
     reader.has("format");
-    if (const int version = reader.integer("version", 1, 1'000'000); version > case_version) {
+    if (const auto version = reader.whole("version", 1, 1'000'000); version > case_version) {
         throw InputError("/version",
                          {Text::tr("must be at most %1 (a newer program wrote this case; update "
                                    "to open it)"),
                           case_version},
-                         Number{1.0 * version});
+                         Number{static_cast<double>(version)});
     }
     file.scene = reader.text("scene");
     if (std::find(scenes.begin(), scenes.end(), file.scene) == scenes.end()) {

@@ -59,12 +59,6 @@ void Message::reserve(std::size_t arguments) {
 void Message::add(double value) {
     arguments_.emplace_back(Number{value});
 }
-void Message::add(int value) {
-    add(static_cast<double>(value));
-}
-void Message::add(std::size_t value) {
-    add(static_cast<double>(value));
-}
 void Message::add(Number value) {
     arguments_.emplace_back(value);
 }

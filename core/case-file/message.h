@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -69,9 +70,11 @@ class Message {
 
   private:
     void reserve(std::size_t arguments);
+    template <std::integral Whole>
+    void add(Whole value) {
+        add(Number{static_cast<double>(value)});
+    }
     void add(double value);
-    void add(int value);
-    void add(std::size_t value);
     void add(Number value);
     void add(Text value);
     void add(const char* value);

@@ -56,6 +56,14 @@ std::string escape_segment(std::string_view key) {
     return text;
 }
 
+bool is_inner_pointer(const std::string& text) {
+    try {
+        return !Json::json_pointer(text).empty();
+    } catch (const Json::exception&) {
+        return false;
+    }
+}
+
 std::string printable(std::string_view text, std::size_t longest) {
     std::string shown;
     for (std::size_t at = 0; at < text.size();) {
@@ -162,7 +170,7 @@ bool ObjectReader::has(std::string_view key) {
     return value_.contains(key);
 }
 
-const Json& ObjectReader::require(std::string_view key) {
+const Json& ObjectReader::raw(std::string_view key) {
     know(key);
     const auto found = value_.find(key);
     if (found == value_.end()) {
@@ -186,25 +194,31 @@ void ObjectReader::reject_mistyped(std::string_view key) const {
 }
 
 double ObjectReader::number(std::string_view key, const Range& range) {
-    return checked_number(require(key), range, [&] { return pointer_to(key); });
+    return checked_number(raw(key), range, [&] { return pointer_to(key); });
 }
 
 std::optional<double> ObjectReader::optional_number(std::string_view key, const Range& range) {
     return has(key) ? std::optional(number(key, range)) : std::nullopt;
 }
 
-int ObjectReader::integer(std::string_view key, int min, int max) {
-    const Json& value = require(key);
-    const double number = value.is_number() ? value.get<double>() : std::nan("");
-    if (!(number >= min && number <= max && std::floor(number) == number)) {
-        throw InputError(pointer_to(key), Range::between(min, max).whole_number_message(),
+std::uint64_t ObjectReader::whole(std::string_view key, std::uint64_t min, std::uint64_t max) {
+    const Json& value = raw(key);
+    const double size = value.is_number() ? value.get<double>() : -1.0;
+    const bool is_whole = size >= 0.0 && size < 1e19 && std::floor(size) == size;
+    const std::uint64_t number = !is_whole                 ? max + 1
+                                 : value.is_number_float() ? static_cast<std::uint64_t>(size)
+                                                           : value.get<std::uint64_t>();
+    if (number < min || number > max) {
+        throw InputError(pointer_to(key),
+                         {Text::tr("must be a whole number from %1 to %2"), std::to_string(min),
+                          std::to_string(max)},
                          show(value));
     }
-    return static_cast<int>(number);
+    return number;
 }
 
 std::string ObjectReader::text(std::string_view key) {
-    const Json& value = require(key);
+    const Json& value = raw(key);
     if (!value.is_string()) {
         throw InputError(pointer_to(key), Text::tr("must be a text"), show(value));
     }
@@ -216,7 +230,7 @@ std::string ObjectReader::text(std::string_view key, std::string fallback) {
 }
 
 int ObjectReader::choice(std::string_view key, std::span<const Word> words) {
-    const Json& value = require(key);
+    const Json& value = raw(key);
     std::vector<std::string> allowed;
     for (const Word& word : words) {
         if (value.is_string() && value.get_ref<const std::string&>() == word.word) {
@@ -229,7 +243,7 @@ int ObjectReader::choice(std::string_view key, std::span<const Word> words) {
 }
 
 const Json& ObjectReader::list(std::string_view key) {
-    const Json& value = require(key);
+    const Json& value = raw(key);
     if (!value.is_array()) {
         throw InputError(pointer_to(key), Text::tr("must be a list"), show(value));
     }
@@ -248,11 +262,7 @@ std::vector<double> ObjectReader::numbers(std::string_view key, const Range& ran
 }
 
 ObjectReader ObjectReader::object(std::string_view key) {
-    return {require(key), pointer_to(key)};
-}
-
-const Json& ObjectReader::raw(std::string_view key) {
-    return require(key);
+    return {raw(key), pointer_to(key)};
 }
 
 std::vector<std::string> ObjectReader::keys() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <initializer_list>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,7 +36,7 @@ class ObjectReader {
     /// The field in SI units, by its key and range.
     double si(const Field& field) { return number(field.key, field.range) * field.unit; }
 
-    int integer(std::string_view key, int min, int max);
+    std::uint64_t whole(std::string_view key, std::uint64_t min, std::uint64_t max);
     std::string text(std::string_view key);
     std::string text(std::string_view key, std::string fallback);
     /// Place of the word that is there.
@@ -60,7 +60,6 @@ class ObjectReader {
     void finish(const Text& unknown = Text::tr("is not a known key")) const;
 
   private:
-    const Json& require(std::string_view key);
     void know(std::string_view key);
 
     const Json& value_;
@@ -70,6 +69,9 @@ class ObjectReader {
 
 /// A key as a segment of a JSON pointer (RFC 6901).
 std::string escape_segment(std::string_view key);
+
+/// Whether a text is a JSON pointer to something within a document.
+bool is_inner_pointer(const std::string& text);
 
 /// A text of the user's as a message shows it: control characters as \u001b, which a terminal does
 /// not obey, also those that turn the direction of letters; cut after `longest` bytes.

@@ -76,20 +76,40 @@ struct Descriptor {
     int number;
 };
 
-/// Waits for the next bytes; 0 at the end.
-std::size_t read_some(int descriptor, std::vector<char>& block) {
+/// The next bytes; 0 at the end.
+/// @param waits  for those of a pipe that somebody made non-blocking
+std::size_t read_some(int descriptor, std::vector<char>& block, bool waits = true) {
     while (true) {
         const ssize_t count = ::read(descriptor, block.data(), block.size());
         if (count >= 0) {
             return static_cast<std::size_t>(count);
         }
-        if (errno == EAGAIN || errno == EWOULDBLOCK) {  // a pipe that somebody made so
+        if (errno == EAGAIN || errno == EWOULDBLOCK) {
+            if (!waits) {
+                throw InputError("", not_a_file);
+            }
             pollfd wait{descriptor, POLLIN, 0};
             ::poll(&wait, 1, -1);
         } else if (errno != EINTR) {
             throw not_read();
         }
     }
+}
+
+/// All that comes.
+/// @param waits  however long it takes
+std::string read_all(int descriptor, bool waits) {
+    const auto end = std::chrono::steady_clock::now() + longest_reading;
+    std::string text;
+    std::vector<char> block(block_size);
+    while (const std::size_t count = read_some(descriptor, block, waits)) {
+        check_text_size(text.size() + count);
+        text.append(block.data(), count);
+        if (!waits && std::chrono::steady_clock::now() > end) {
+            throw InputError("", Text::tr("takes too long to read"));
+        }
+    }
+    return text;
 }
 
 void write_all(int descriptor, std::string_view text) {
@@ -206,36 +226,11 @@ std::string read_text_file(const std::filesystem::path& path) {
     }
     // Some files of the system never end, or make one wait for what comes: they say so, or take
     // their time.
-    const auto end = std::chrono::steady_clock::now() + longest_reading;
-    std::string text;
-    std::vector<char> block(block_size);
-    while (true) {
-        const ssize_t count = ::read(file.number, block.data(), block.size());
-        if (count == 0) {
-            return text;
-        }
-        if (count < 0 && errno == EINTR) {
-            continue;
-        }
-        if (count < 0) {
-            throw errno == EAGAIN ? InputError("", not_a_file) : not_read();
-        }
-        check_text_size(text.size() + static_cast<std::size_t>(count));
-        text.append(block.data(), static_cast<std::size_t>(count));
-        if (std::chrono::steady_clock::now() > end) {
-            throw InputError("", Text::tr("takes too long to read"));
-        }
-    }
+    return read_all(file.number, false);
 }
 
 std::string read_text(int descriptor) {
-    std::string text;
-    std::vector<char> block(block_size);
-    while (const std::size_t count = read_some(descriptor, block)) {
-        check_text_size(text.size() + count);
-        text.append(block.data(), count);
-    }
-    return text;
+    return read_all(descriptor, true);
 }
 
 LineReader::LineReader(int descriptor) : descriptor_(descriptor), block_(block_size) {}

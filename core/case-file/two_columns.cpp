@@ -190,10 +190,6 @@ char usual_separator(std::string_view line) {
     return ' ';
 }
 
-std::vector<std::string> copied(const std::vector<std::string_view>& fields) {
-    return {fields.begin(), fields.end()};
-}
-
 /// What the commas of a column can be.
 struct DecimalSigns {
     std::size_t doubtful_line = 0;  ///< of the first "1,893"; 0 where there is none
@@ -288,7 +284,7 @@ TableView look_at_table(std::string_view text, const TableLayout& decided, std::
     }
     for (std::size_t i = view.header_lines; i < lines.size() && view.rows.size() < rows; ++i) {
         split(lines[i], view.separator, fields);
-        view.rows.push_back(copied(fields));
+        view.rows.emplace_back(fields.begin(), fields.end());
     }
     return view;
 }

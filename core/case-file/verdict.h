@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
 #include "case-file/message.h"
 #include "case-file/result_visitor.h"
@@ -45,19 +43,14 @@ inline constexpr ResultField notes{"notes", Text::tr("Notes")};
 inline constexpr ResultField feasible{"feasible", Text::tr("Feasible")};
 }  // namespace result_field
 
-/// As in every result.
-inline void visit_verdict(ResultVisitor& visitor, const Verdict& verdict) {
+/// As in every result; computed where it is wanted.
+template <typename Compute>
+void visit_verdict(ResultVisitor& visitor, const Compute& compute) {
     visitor.object(result_field::verdict, [&] {
+        const Verdict verdict = compute();
         visitor.word(result_field::severity, severity_word(verdict.severity));
         visitor.text(result_field::text, verdict.text);
     });
-}
-template <typename Compute>
-requires std::is_invocable_r_v<Verdict, Compute>
-void visit_verdict(ResultVisitor& visitor, Compute&& compute) {
-    if (visitor.wants(result_field::verdict.key)) {
-        visit_verdict(visitor, std::forward<Compute>(compute)());
-    }
 }
 
 }  // namespace ravnoves

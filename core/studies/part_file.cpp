@@ -154,30 +154,6 @@ std::string sum_of(const Json& part) {
     return sha256(json_text(part, JsonLayout::one_line));
 }
 
-/// As large as the study makes it, for its values to be read.
-Part empty_part(Study study, std::uint64_t shard, std::uint64_t shards) {
-    Part part{.origin = {}, .study = std::move(study), .shard = shard, .shards = shards};
-    const std::size_t inputs = part.study.vary.size();
-    const std::size_t watched = part.study.watch.size();
-    part.blocks = blocks_of(part.study, shard, shards);
-    part.basis.nominal.resize(watched);
-    if (part.study.method == Method::grid) {
-        part.rows.resize(part.size());
-        return part;
-    }
-    part.basis.laws.resize(inputs);
-    part.basis.distances.resize(watched);
-    part.basis.plan.resize(watched);
-    part.basis.expansions.resize(watched);
-    for (Taylor& each : part.basis.expansions) {
-        each.slopes.resize(inputs);
-    }
-    for (Block& block : part.blocks) {
-        block.sums.resize(watched * replicates);
-    }
-    return part;
-}
-
 }  // namespace
 
 void Tally::pass(PartValues& values) {
@@ -227,11 +203,10 @@ Part read_part(Json json) {
             "/sha256",
             Text::tr("is not the checksum of the part: the part was changed; run it again"));
     }
-    const int shards = reader.integer("shards", 1, max_blocks);
-    const int shard = reader.integer("shard", 1, shards);
+    const std::uint64_t shards = reader.whole("shards", 1, max_blocks);
+    const std::uint64_t shard = reader.whole("shard", 1, shards);
     try {
-        Part part = empty_part(read_study(reader.raw("study")), static_cast<std::uint64_t>(shard),
-                               static_cast<std::uint64_t>(shards));
+        Part part = empty_part(read_study(reader.raw("study")), shard, shards);
         PartValues values(reader.raw("values"));
         values(part);
         auto solved = static_cast<double>(part.tally.solved() * part.basis.plan.size());

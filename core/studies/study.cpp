@@ -31,37 +31,6 @@ constexpr std::array methods{
     Word{"grid", Text::tr("Grid")},
 };
 
-void check_pointer(const std::string& key, const std::string& place) {
-    try {
-        if (!Json::json_pointer(key).empty()) {
-            return;
-        }
-    } catch (const Json::exception&) {
-        // It is no pointer either.
-    }
-    throw InputError(place, Text::tr("must be a JSON pointer, such as /crank_radius_mm"));
-}
-
-std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t minimum,
-                    std::uint64_t maximum, std::uint64_t usual) {
-    if (!reader.has(key)) {
-        return usual;
-    }
-    const Json& value = reader.raw(key);
-    const double size = value.is_number() ? value.get<double>() : -1.0;
-    const bool is_whole = size >= 0.0 && size < 1e19 && std::floor(size) == size;
-    const std::uint64_t number = !is_whole                 ? maximum + 1
-                                 : value.is_number_float() ? static_cast<std::uint64_t>(size)
-                                                           : value.get<std::uint64_t>();
-    if (number < minimum || number > maximum) {
-        throw InputError(reader.pointer_to(key),
-                         {Text::tr("must be a whole number from %1 to %2"), std::to_string(minimum),
-                          std::to_string(maximum)},
-                         show(value));
-    }
-    return number;
-}
-
 /// Methods of older cases, and what is said of them.
 constexpr std::array former_methods{
     Word{"second-order", Text::tr("must be \"linear\" or \"sobol\": second-order studies are no "
@@ -102,7 +71,7 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
         varied.spread = Spread::uniform;
         if (reader.has("steps")) {
             varied.spread = Spread::grid;
-            varied.steps = reader.integer("steps", 2, static_cast<int>(max_grid_points));
+            varied.steps = static_cast<int>(reader.whole("steps", 2, max_grid_points));
             varied.values = spaced(varied.from, varied.to, varied.steps);
         }
     }
@@ -127,7 +96,10 @@ auto read_each(ObjectReader& reader, const char* key, bool half_filled, std::siz
                          Number{static_cast<double>(keys.size())});
     }
     for (const std::string& pointer : keys) {
-        check_pointer(pointer, object.pointer_to(pointer));
+        if (!is_inner_pointer(pointer)) {
+            throw InputError(object.pointer_to(pointer),
+                             Text::tr("must be a JSON pointer, such as /crank_radius_mm"));
+        }
         all.push_back(read(pointer, object.object(pointer)));
     }
     return all;
@@ -251,8 +223,12 @@ Study read_study(const Json& json, bool half_filled) {
         }
         study.method = static_cast<Method>(reader.choice("method", method_words()));
     }
-    study.samples = whole(reader, "samples", 1, max_samples, study.samples);
-    study.seed = whole(reader, "seed", 0, (std::uint64_t{1} << 63) - 1, study.seed);
+    if (reader.has("samples")) {
+        study.samples = reader.whole("samples", 1, max_samples);
+    }
+    if (reader.has("seed")) {
+        study.seed = reader.whole("seed", 0, (std::uint64_t{1} << 63) - 1);
+    }
     reader.finish();
     check_grid(study, given);
     return study;

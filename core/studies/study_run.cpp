@@ -182,7 +182,6 @@ std::vector<std::vector<double>> take_first(const Problem& problem, const Part& 
 
 /// How far true samples lie from the expansions that stand for them.
 void try_expansions(Response& response, const Study& study, Basis& basis) {
-    basis.distances.assign(study.watch.size(), 0.0);
     Sampler sampler(Method::sobol, study.seed, basis.laws.size());
     std::vector<double> x(basis.laws.size());
     std::vector<double> y(study.watch.size());
@@ -213,7 +212,7 @@ void make_basis(const Problem& problem, Part& part, int threads, Progress& progr
     const Study& study = part.study;
     const std::size_t watched = study.watch.size();
     for (std::size_t j = 0; j < study.vary.size(); ++j) {
-        basis.laws.push_back(law_of(study.vary[j], problem.nominal[j]));
+        basis.laws[j] = law_of(study.vary[j], problem.nominal[j]);
     }
     const auto response = problem.make();
     basis.expansions = expand(*response, basis.laws, watched);
@@ -227,8 +226,8 @@ void make_basis(const Problem& problem, Part& part, int threads, Progress& progr
         for (const std::vector<double>& sample : first) {
             values.push_back(sample[w]);
         }
-        basis.plan.push_back(
-            counting_plan(study.watch[w], basis.nominal[w], values, response->period(w)));
+        basis.plan[w] =
+            counting_plan(study.watch[w], basis.nominal[w], values, response->period(w));
     }
 }
 
@@ -263,36 +262,43 @@ std::uint64_t Part::size() const {
     return blocks.empty() ? 0 : blocks.back().to - blocks.front().from;
 }
 
-std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards) {
-    const std::uint64_t points = points_of(study);
+Part empty_part(Study study, std::uint64_t shard, std::uint64_t shards) {
+    Part part{.origin = {}, .study = std::move(study), .shard = shard, .shards = shards};
+    const std::uint64_t points = points_of(part.study);
     const std::uint64_t count = std::min(points, max_blocks);
-    std::vector<Block> blocks;
+    const std::size_t inputs = part.study.vary.size();
+    const std::size_t watched = part.study.watch.size();
+    const bool is_grid = part.study.method == Method::grid;
     for (std::uint64_t b = count * (shard - 1) / shards; b < count * shard / shards; ++b) {
-        const std::uint64_t from = points * b / count;
-        blocks.push_back({.from = from, .to = points * (b + 1) / count});
+        part.blocks.push_back({.from = points * b / count, .to = points * (b + 1) / count});
+        part.blocks.back().sums.resize(is_grid ? 0 : watched * replicates);
     }
-    return blocks;
+    part.basis.nominal.resize(watched);
+    if (is_grid) {
+        part.rows.resize(part.size());
+        return part;
+    }
+    part.basis.laws.resize(inputs);
+    part.basis.distances.resize(watched);
+    part.basis.plan.resize(watched);
+    part.basis.expansions.resize(watched);
+    for (Taylor& each : part.basis.expansions) {
+        each.slopes.resize(inputs);
+    }
+    return part;
 }
 
 std::optional<Part> run_study(const Problem& problem, std::uint64_t shard, std::uint64_t shards,
                               int threads, const KeepGoing& keep_going) {
-    Part part{.origin = problem.origin,
-              .study = problem.study,
-              .shard = shard,
-              .shards = shards,
-              .blocks = blocks_of(problem.study, shard, shards),
-              .file_notes = problem.file_notes};
+    Part part = empty_part(problem.study, shard, shards);
+    part.origin = problem.origin;
+    part.file_notes = problem.file_notes;
     part.basis.nominal = problem.nominal_result;
     Progress progress(keep_going, first_samples_of(part.study) + part.size());
-    if (part.study.method == Method::grid) {
-        part.rows.resize(part.size());
-    } else {
+    if (part.study.method != Method::grid) {
         make_basis(problem, part, threads, progress);
     }
     part.tally = Tally(part.basis.plan, part.study.vary.size());
-    for (Block& block : part.blocks) {
-        block.sums.resize(part.basis.plan.size() * replicates);
-    }
     if (!progress.is_stopped()) {
         solve_blocks(problem, part, threads, progress);
     }
@@ -330,8 +336,9 @@ void PartMerger::add(Part part, const std::string& name) {
     if (!whole_) {
         first_name_ = name;
         whole_ = part;
-        whole_->blocks = blocks_of(part.study, 1, 1);
-        whole_->rows.resize(part.study.method == Method::grid ? whole_->size() : 0);
+        Part all = empty_part(part.study, 1, 1);
+        whole_->blocks = std::move(all.blocks);
+        whole_->rows = std::move(all.rows);
     } else {
         whole_->tally.add(part.tally);
     }

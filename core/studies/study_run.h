@@ -42,11 +42,6 @@ struct Problem {
     std::vector<Message> file_notes{};                  ///< of the files that the case names
 };
 
-/// The study of a case.
-/// @param text  the case file's bytes, for its sum; empty: as written
-/// @throws InputError
-Problem problem_of(const CaseFile& file, const CaseContext& context, std::string_view text = {});
-
 /// What every part of a study begins with, the same in each: the expansions about the means and
 /// how values are counted, from the study's first samples.
 struct Basis {
@@ -79,8 +74,8 @@ struct Part {
 
 /// A study has as many blocks, or as many as samples; a shard is whole blocks.
 inline constexpr std::uint64_t max_blocks = 1024;
-/// The blocks of a shard.
-std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards);
+/// As large as the study makes a shard, for its values to be found or read.
+Part empty_part(Study study, std::uint64_t shard, std::uint64_t shards);
 /// Samples that the expansions are tried by.
 inline constexpr std::uint64_t tried_samples = 64;
 

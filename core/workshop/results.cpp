@@ -155,7 +155,7 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     visit_job(visitor, input, shown.shaft);
     visit_object(shown);
     visitor.object_or_null({"doubtful", Text::tr("Doubtful")}, withheld.any(), [&] {
-        visit_verdict(visitor, undoubted(input, result));
+        visit_verdict(visitor, [&] { return undoubted(input, result); });
         if (withheld.bob_weight) {
             visit_bob_weight(visitor, input, result.shaft);
         }

@@ -12,14 +12,9 @@ namespace {
 
 using test::error_of;
 
-TEST(ObjectReader, NamesPointerRuleAndFinding) {
-    const Json input = parse_json(R"({"crank_radius_mm": -46, "name": 3, "list": [1, 2, "x"]})");
+TEST(ObjectReader, NamesTheElementOfAList) {
+    const Json input = parse_json(R"({"list": [1, 2, "x"]})");
     ObjectReader reader(input, "/input");
-    EXPECT_EQ(error_of([&] { reader.number("crank_radius_mm", Range::greater_than(0)); }),
-              "/input/crank_radius_mm: must be greater than 0, got -46");
-    EXPECT_EQ(error_of([&] { reader.number("speed_rpm", Range::greater_than(0)); }),
-              "/input/speed_rpm: is required and missing");
-    EXPECT_EQ(error_of([&] { reader.text("name"); }), "/input/name: must be a text, got 3");
     EXPECT_EQ(error_of([&] { reader.numbers("list", Range{}); }),
               "/input/list/2: must be a number, got \"x\"");
 }
@@ -54,17 +49,9 @@ TEST(ObjectReader, AMissingKeyNamesWhatIsNearlyIt) {
     EXPECT_EQ(rejected("{}"), missing);
 }
 
-TEST(ObjectReader, RejectsAnythingButAnObject) {
-    const Json list = Json::array({1});
-    EXPECT_EQ(error_of([&] { ObjectReader(list, "/input"); }),
-              "/input: must be an object, got [1]");
-}
-
 TEST(ParseJson, SyntaxErrorsNameLineAndColumn) {
     EXPECT_EQ(error_of([] { parse_json("{\n  \"a\": NaN\n}"); }),
               "line 2, column 8: is not valid JSON");
-    EXPECT_NE(error_of([] { parse_json("{\"a\": 1e999}"); }), "no error");
-    EXPECT_NE(error_of([] { parse_json(""); }), "no error");
     EXPECT_NE(error_of([] { parse_json(std::string_view("\0\1\2\377", 4)); }), "no error");
 }
 
