@@ -44,12 +44,4 @@ class ResultIndex final : public ResultVisitor {
     std::vector<ResultEntry> entries_;
 };
 
-/// The numbers of a scene's result.
-template <typename Input>
-std::vector<ResultEntry> list_results(const Input& input) {
-    ResultIndex index;
-    visit_results(index, input);
-    return index.take();
-}
-
 }  // namespace ravnoves

@@ -57,13 +57,8 @@ std::unique_ptr<Response> respond(const Json& input, const CaseContext& context,
 }
 
 template <auto read>
-Json solve(const Json& input, const CaseContext& context, const Wanted& wanted) {
-    return result_json(wanted, read_whole<read>(input, context));
-}
-
-template <auto read>
-std::vector<ResultEntry> results_of(const Json& input, const CaseContext& context) {
-    return list_results(read_whole<read>(input, context));
+void visit(ResultVisitor& visitor, const Json& input, const CaseContext& context) {
+    visit_results(visitor, read_whole<read>(input, context));
 }
 
 template <typename Input>
@@ -84,18 +79,18 @@ std::vector<Preset<Json>> written() {
 template <typename Input, const auto& leading, auto left_out, auto presets, auto read, auto check,
           typename Results = FreshResults<Input>>
 SceneSolver scene(std::string_view name, Text title = {}, Text summary = {},
-                  std::string_view method = {}) {
+                  std::string_view method = {}, std::string_view buildable = {}) {
     return {.name = name,
             .title = title,
             .summary = summary,
-            .solve = solve<read>,
+            .visit = visit<read>,
             .formulas = formulas_of<Input>,
             .left_out = left_out,
             .leading = leading,
             .presets = written<presets>,
             .respond = respond<Input, read, check, Results>,
-            .results = results_of<read>,
             .fields = fields_in<Input>,
+            .buildable = buildable,
             .method = method};
 }
 
@@ -106,22 +101,29 @@ SceneSolver older_scene(std::string_view name) {
     return scene<Input, leading, workshop::left_out, no_presets, read, check>(name);
 }
 
-SceneSolver balance_shaft_scene() {
-    using namespace balance_shaft;
-    SceneSolver made =
-        scene<Input, leading, left_out, presets, read_input, check_joined, RepeatedResults>(
-            "balance-shaft", Text::tr("Balance shaft"),
-            Text::tr("Position the balance shaft of a single-cylinder engine"), "/interpolation");
-    made.buildable = "/buildable/at_shaft_angle";
-    return made;
+}  // namespace
+
+Json SceneSolver::solve(const Json& input, const CaseContext& context, const Wanted& wanted) const {
+    ResultJson json(wanted);
+    visit(json, input, context);
+    return json.take();
 }
 
-}  // namespace
+std::vector<ResultEntry> SceneSolver::results(const Json& input, const CaseContext& context) const {
+    ResultIndex index;
+    visit(index, input, context);
+    return index.take();
+}
 
 std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
-        balance_shaft_scene(),
+        scene<balance_shaft::Input, balance_shaft::leading, balance_shaft::left_out,
+              balance_shaft::presets, balance_shaft::read_input, balance_shaft::check_joined,
+              balance_shaft::RepeatedResults>(
+            "balance-shaft", Text::tr("Balance shaft"),
+            Text::tr("Position the balance shaft of a single-cylinder engine"), "/interpolation",
+            "/buildable/at_shaft_angle"),
         scene<elastic_hinge::Input, elastic_hinge::leading, elastic_hinge::left_out,
               elastic_hinge::presets, elastic_hinge::read_input, elastic_hinge::check_input>(
             "elastic-hinge", Text::tr("Elastic hinges"),

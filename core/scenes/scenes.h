@@ -20,34 +20,36 @@ namespace ravnoves {
 
 inline constexpr std::string_view result_format = "ravnoves-result";
 
-/// A scene as the case file sees it. solve() takes the case's "input" object (its pointer is
-/// "/input") and returns the "result" object; it throws InputError for bad input. A design that
-/// cannot exist is a result with `"feasible": false` and a reason. Of unwanted values it computes
-/// only what the scene always computes.
+/// A scene as the case file sees it. What takes the case's "input" object (its pointer is "/input")
+/// throws InputError for bad input. A design that cannot exist is a result with `"feasible": false`
+/// and a reason.
 struct SceneSolver {
     std::string_view name;  ///< the word in the case file, for example "balance-shaft"
     Text title;             ///< in the window; empty where it has no page
     Text summary;           ///< one line: what the page is for
-    Json (*solve)(const Json& input, const CaseContext& context, const Wanted& wanted);
-    /// What its result rests on. @throws InputError as solve()
+    void (*visit)(ResultVisitor& visitor, const Json& input, const CaseContext& context);
+    /// What its result rests on.
     std::vector<Formula> (*formulas)(const Json& input);
     std::span<const Text> (*left_out)();
     /// What an answer leads with, by pointers below "result".
     std::span<const std::string_view> leading;
     std::vector<Preset<Json>> (*presets)();  ///< "input" objects to begin with
     /// Values of its result as functions of numbers of its input, without a file in between; both
-    /// by their pointers below "result" and "input". @throws InputError as solve()
+    /// by their pointers below "result" and "input".
     std::unique_ptr<Response> (*respond)(const Json& input, const CaseContext& context,
                                          std::span<const std::string> varied,
                                          std::span<const std::string> watched);
-    /// The single numbers of its result, with their names. @throws InputError as solve()
-    std::vector<ResultEntry> (*results)(const Json& input, const CaseContext& context);
     /// The fields of an "input", for their names and words; their places are no longer valid.
     std::vector<FieldEntry> (*fields)(const Json& input);
     /// Pointer below "result" to whether a case is feasible, yes or no; empty without one.
     std::string_view buildable{};
     /// Below "input" the word that chooses a method rather than an engine; empty without one.
     std::string_view method{};
+
+    /// The "result" object. Of unwanted values it computes only what the scene always computes.
+    Json solve(const Json& input, const CaseContext& context, const Wanted& wanted) const;
+    /// The single numbers of its result, with their names.
+    std::vector<ResultEntry> results(const Json& input, const CaseContext& context) const;
 };
 
 /// The scenes that have a solver, in the order of the navigation.

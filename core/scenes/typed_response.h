@@ -33,13 +33,9 @@ class TypedResponse final : public Response {
   public:
     TypedResponse(const Json& json, const CaseContext& context, std::span<const std::string> varied,
                   std::span<const std::string> watched)
-        : context_(context),
-          json_(json),
-          varied_(varied.begin(), varied.end()),
-          input_(read_input(json_, context_)),
-          numbers_(watched) {
+        : context_(context), json_(json), input_(read_input(json_, context_)), numbers_(watched) {
         Input other = input_;
-        for (const std::string& pointer : varied_) {
+        for (const std::string& pointer : varied) {
             auto found = list_fields(input_, pointer);
             const auto others = list_fields(other, pointer);
             has_places_ = has_places_ && !found.empty() && found[0].place != nullptr &&
@@ -87,7 +83,7 @@ class TypedResponse final : public Response {
         for (std::size_t j = 0; j < x.size(); ++j) {
             const FieldEntry& entry = places_[j];
             if (const Range* range = entry.field.left_by(x[j])) {
-                reason_ = {"/input" + varied_[j], range->message()};
+                reason_ = {"/input" + entry.pointer, range->message()};
                 return false;
             }
             *entry.place = x[j] * entry.place_unit;
@@ -98,7 +94,6 @@ class TypedResponse final : public Response {
 
     CaseContext context_;
     Json json_;
-    std::vector<std::string> varied_;
     Input input_;
     std::vector<FieldEntry> places_;
     std::vector<Json*> slots_;

@@ -18,7 +18,9 @@ TEST(VolkswagenVr5, AgreesWithTheContractsExample) {
 
 // By the contract about the mean of the crankpins, 15.8 mm and more from the z₀ of all others.
 TEST(VolkswagenVr5, NamesThePointOfTheRotatingMoment) {
-    for (const ResultEntry& entry : list_results(vr5())) {
+    ResultIndex index;
+    visit_results(index, vr5());
+    for (const ResultEntry& entry : index.take()) {
         if (entry.pointer.starts_with("/rotating/moment_") && entry.unit != units::degree) {
             EXPECT_TRUE(entry.name.english().ends_with(" about mean z")) << entry.pointer;
         }
