@@ -12,14 +12,6 @@ namespace ravnoves::inertia_moments {
 
 namespace {
 
-/// Lowest and highest axial position.
-std::pair<double, double> extent(const std::vector<Cylinder>& cylinders) {
-    const auto [low, high] = std::minmax_element(
-        cylinders.begin(), cylinders.end(),
-        [](const Cylinder& a, const Cylinder& b) { return a.axial_position < b.axial_position; });
-    return {low->axial_position, high->axial_position};
-}
-
 struct RadialSize {
     int cylinders;
     double crank_radius;                       ///< mm
@@ -58,6 +50,11 @@ std::vector<Shaft> shafts_off(Balances balances, int order, double crank_radius)
 }
 
 }  // namespace
+
+std::pair<double, double> extent(const std::vector<Cylinder>& cylinders) {
+    const auto [low, high] = std::ranges::minmax_element(cylinders, {}, &Cylinder::axial_position);
+    return {low->axial_position, high->axial_position};
+}
 
 EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius) {
     const auto [low, high] = extent(cylinders);

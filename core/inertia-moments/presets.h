@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "case-file/preset.h"
@@ -30,6 +31,9 @@ void make_radial(Input& input, int cylinders);
 
 /// The engine of the paper and the radials.
 std::vector<Preset<Input>> presets();
+
+/// Lowest and highest axial position.
+std::pair<double, double> extent(const std::vector<Cylinder>& cylinders);
 
 /// End webs half a spacing beyond the outer crankpins of these cylinders, at the crank's radius.
 EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius);

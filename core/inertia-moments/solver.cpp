@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "case-file/unusual_engine.h"
+#include "inertia-moments/presets.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -12,18 +13,61 @@ namespace {
 
 constexpr double usual_step = 1.0 * degree;
 
-/// A rod's mass is between its bearings or little beyond them.
-void doubt_rod(const RigidRod& rod, double length, std::vector<Message>& doubts) {
-    if (rod.centre_from_big_end < 0.0 || rod.centre_from_big_end > length) {
-        doubts.emplace_back(Text::tr("The rod's centre of mass, %1 from the big end, is outside "
-                                     "the rod of %2: check it."),
-                            in_mm(rod.centre_from_big_end), in_mm(length));
+/// What no engine is like, a slip of the keys or of a unit. Along the crank it is measured by the
+/// crank radius R: cylinders of one direction are 0.7 R (long strokes) to 6 R (racing engines)
+/// apart.
+void add_doubts(const Input& input, Result& result) {
+    const Engine& engine = result.engine;
+    const double length = input.rod_length();
+    const double radius = input.crank_radius;
+    const auto doubt = [&](bool is_odd, const Text& text, Number size, Number beside) {
+        if (is_odd) {
+            result.notes.emplace_back(text, size, beside);
+        }
+    };
+    if (input.rod) {
+        const double centre = input.rod->centre_from_big_end;
+        doubt(centre < 0.0 || centre > length,
+              Text::tr("The rod's centre of mass, %1 from the big end, is outside the rod of %2: "
+                       "check it."),
+              in_mm(centre), in_mm(length));
+        const double gyration = std::sqrt(input.rod->inertia / input.rod->mass);
+        doubt(gyration > length,
+              Text::tr("The rod's inertia is implausible: radius of gyration %1, rod %2. Check its "
+                       "unit."),
+              in_mm(gyration), in_mm(length));
     }
-    const double gyration = std::sqrt(rod.inertia / rod.mass);
-    if (gyration > length) {
-        doubts.emplace_back(Text::tr("The rod's inertia is implausible: radius of gyration %1, "
-                                     "rod %2. Check its unit."),
-                            in_mm(gyration), in_mm(length));
+    const auto count = static_cast<double>(engine.cylinders.size());
+    const auto [rear, front] = extent(engine.cylinders);
+    double spacing = (front - rear) / std::max(count - 1.0, 1.0);
+    bool is_close = false;
+    for (const Cylinder& one : engine.cylinders) {
+        for (const Cylinder& other : engine.cylinders) {
+            const double gap = std::abs(one.axial_position - other.axial_position);
+            if (&one < &other && one.bank_angle == other.bank_angle && one.offset == other.offset &&
+                gap < 0.4 * radius) {
+                spacing = is_close ? std::min(spacing, gap) : gap;
+                is_close = true;
+            }
+        }
+    }
+    constexpr double far = 8.0;
+    doubt(is_close || spacing > far * radius,
+          Text::tr("Cylinder spacing %1 is implausible with crank radius %2: check it."),
+          in_mm(spacing), in_mm(radius));
+    const double beyond =
+        std::max(input.reference_position - front, rear - input.reference_position);
+    doubt(beyond > front - rear + far * radius,
+          Text::tr("The centre of mass z₀ is %1 outside the cylinders, with crank radius %2: check "
+                   "it."),
+          in_mm(beyond), in_mm(radius));
+    if (const auto& weights = result.counterweights) {
+        const double mass = std::max(weights->front.mass(), weights->rear.mass());
+        const double all = count * (engine.rotating_mass + engine.reciprocating_mass);
+        doubt(mass > all,
+              Text::tr("A counterweight of %1 is heavier than all throws and pistons (%2): check "
+                       "places and radii of the counterweights."),
+              Number{mass, units::kg, 4}, Number{all, units::kg, 4});
     }
 }
 
@@ -102,19 +146,17 @@ Result solve(const Input& input, bool with_curves) {
         result.firing_trouble = describe_misfit(engine, order, input.cycle());
     }
     result.notes = articulated_rod_notes(engine.throws, engine.cylinders, engine.crank_radius);
-    std::vector<Message> doubts = unusual_engine_notes(
-        {input.angular_speed,
-         input.crank_radius,
-         input.rod_length(),
-         {input.reciprocating_mass, input.rotating_mass, input.rod ? input.rod->mass : 0.0}});
-    if (input.rod) {
-        doubt_rod(*input.rod, input.rod_length(), doubts);
-    }
     if (const Message note = unusual_rod_note(engine.cylinders, input.rod_length());
         !note.empty()) {
         result.notes.push_back(note);
     }
-    result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
+    std::ranges::move(unusual_engine_notes({input.angular_speed,
+                                            input.crank_radius,
+                                            input.rod_length(),
+                                            {input.reciprocating_mass, input.rotating_mass,
+                                             input.rod ? input.rod->mass : 0.0}}),
+                      std::back_inserter(result.notes));
+    add_doubts(input, result);
     if (with_curves) {
         const double step = input.step.value_or(usual_step);
         const double intervals = std::ceil(two_pi / step - 1e-9);

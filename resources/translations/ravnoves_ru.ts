@@ -6557,6 +6557,18 @@
         <translation>Момент инерции шатуна неправдоподобен: радиус инерции %1, шатун %2. Проверьте единицу.</translation>
     </message>
     <message>
+        <source>Cylinder spacing %1 is implausible with crank radius %2: check it.</source>
+        <translation>Межцилиндровое расстояние %1 неправдоподобно при радиусе кривошипа %2: проверьте.</translation>
+    </message>
+    <message>
+        <source>The centre of mass z₀ is %1 outside the cylinders, with crank radius %2: check it.</source>
+        <translation>Центр масс z₀ в %1 за пределами цилиндров при радиусе кривошипа %2: проверьте.</translation>
+    </message>
+    <message>
+        <source>A counterweight of %1 is heavier than all throws and pistons (%2): check places and radii of the counterweights.</source>
+        <translation>Противовес %1 тяжелее всех колен и поршней вместе (%2): проверьте места и радиусы противовесов.</translation>
+    </message>
+    <message>
         <source>difference of its inertia from two masses; acts on roll moment and torque</source>
         <translation>отличие его инерции от двух масс; действует на опрокидывающий и крутящий моменты</translation>
     </message>

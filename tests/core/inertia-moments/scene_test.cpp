@@ -217,19 +217,45 @@ TEST(CaseIo, AnEmptyFieldStandsForWhatTheHelpSays) {
     }
 }
 
-TEST(InertiaMomentsVerdict, DoubtsARodOfNoMechanism) {
-    Input input = read_input(vr5_json());
+TEST(InertiaMomentsVerdict, DoubtsWhatNoEngineIsLike) {
+    const auto rod = [](double centre_mm, double inertia) {
+        return Json{
+            {"mass_kg", 1}, {"centre_from_big_end_mm", centre_mm}, {"inertia_kg_m2", inertia}};
+    };
+    const auto webs = [](double front_mm, double radius_mm) {
+        return Json{{"front_position_mm", front_mm},
+                    {"rear_position_mm", -90},
+                    {"front_radius_mm", radius_mm},
+                    {"rear_radius_mm", 45},
+                    {"first_order_share", 1}};
+    };
     const struct {
-        RigidRod rod;
+        const char* pointer;
+        Json value;
         const char* doubt;
-    } rods[] = {{{1.0, 0.05, 0.004}, ""},
-                {{1.0, 0.2, 0.0}, "200 mm from the big end"},
-                {{1.0, 0.05, 1000.0}, "inertia is implausible"}};
-    for (const auto& [rod, doubt] : rods) {
-        input.rod = rod;
+    } rows[] = {{"/rod", rod(50, 0.004), ""},
+                {"/rod", rod(200, 0), "200 mm from the big end"},
+                {"/rod", rod(50, 1000), "inertia is implausible"},
+                {"/layout/spacing_mm", 6.3, "Cylinder spacing 12.6 mm is implausible"},
+                {"/layout/spacing_mm", 40, ""},
+                {"/layout/spacing_mm", 200, ""},
+                {"/layout/spacing_mm", 630, "Cylinder spacing 630 mm is implausible"},
+                {"/reference_position_mm", 400, ""},
+                {"/reference_position_mm", -2048, "is 2001 mm outside the cylinders"},
+                {"/counterweights", webs(240, 45), ""},
+                {"/counterweights", webs(240, 0.1), "is heavier than all throws and pistons"},
+                {"/counterweights", webs(-88, 45), "is heavier than all throws and pistons"}};
+    for (const auto& [pointer, value, doubt] : rows) {
+        Json json = vr5_json();
+        json[Json::json_pointer(pointer)] = value;
+        const Input input = read_input(json);
         const Verdict said = verdict(input, solve(input));
-        EXPECT_EQ(said.severity, *doubt == 0 ? Severity::note : Severity::warning);
+        EXPECT_EQ(said.severity, *doubt == 0 ? Severity::note : Severity::warning) << value;
         EXPECT_NE(said.text.english().find(doubt), std::string::npos) << said.text.english();
+    }
+    // Whatever the layout, its usual sizes are none.
+    for (const LayoutSpec& spec : layout_library()) {
+        EXPECT_TRUE(solve(test::engine_of(spec.name)).notes.empty()) << spec.name;
     }
 }
 
