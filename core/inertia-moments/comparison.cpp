@@ -12,6 +12,9 @@ std::array<Harmonic<double>, 5> components(const EngineOrder& order) {
 }
 
 std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term) {
+    constexpr double warning = 0.05;     // of a component, an error warns…
+    constexpr double negligible = 0.01;  // …unless it is less of the quantity's largest one…
+    constexpr double balanced = 0.02;  // …or of all cylinders in phase, as a balanced engine has
     // A quantity's size: what its cylinders would reach in phase is the floor under rounding.
     std::array<double, 3> largest{};
     std::array<double, 3> scale{};
@@ -45,13 +48,13 @@ std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& t
                 short_form = {};
             }
             d.error = std::hypot(right.cos - short_form.cos, right.sin - short_form.sin);
-            const double reference = std::max(largest[q], balanced_share * scale[q]);
+            const double reference = std::max(largest[q], balanced * scale[q]);
             if (reference > 0.0) {
                 d.of_largest = d.error / reference;
             }
             if (d.exact > std::max(floor, zero_share * largest[q])) {
                 d.relative = d.error / d.exact;
-                d.warning = *d.relative > warning_share && d.of_largest > negligible_share;
+                d.warning = *d.relative > warning && d.of_largest > negligible;
             }
             differences.push_back(d);
         }

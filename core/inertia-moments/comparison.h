@@ -21,20 +21,13 @@ struct Difference {
     double error = 0.0;         ///< amplitude of the difference (a wrong phase counts), N or N·m
     /// error / exact; empty where the exact amplitude is negligible beside the quantity's largest.
     std::optional<double> relative;
-    /// error / the quantity's largest amplitude of any order (of a balanced engine:
-    /// balanced_share of what its cylinders would reach in phase).
+    /// error / the quantity's largest amplitude of any order (of a balanced engine: 2 % of what its
+    /// cylinders would reach in phase).
     double of_largest = 0.0;
     /// Both are so large that the two-term form is not enough for this component.
     bool warning = false;
 };
 
-/// An error of this share in a component warns (5 %)…
-inline constexpr double warning_share = 0.05;
-/// …unless it is less than this share of the quantity's largest component (1 %)…
-inline constexpr double negligible_share = 0.01;
-/// …or of this share of the amplitude of all cylinders in phase (2 %): the residual of a balanced
-/// engine is not worth a warning.
-inline constexpr double balanced_share = 0.02;
 /// Compares all orders of `exact` component by component; orders that the two-term form does not
 /// have count as left out whole.
 std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term);

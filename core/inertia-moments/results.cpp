@@ -1,5 +1,6 @@
 #include "inertia-moments/results.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -338,41 +339,41 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
 
 namespace {
 
-/// The largest residuals of the orders that matter, without warnings.
-Verdict residual_verdict(const EngineOrders& remaining) {
+/// Of the orders that matter the one with the largest residual; null where all are balanced.
+const EngineOrder* largest(const EngineOrders& remaining, RotatingPair EngineOrder::*what,
+                           double EngineOrder::*scale) {
     constexpr int orders_that_matter = 4;
-    const EngineOrder* force = nullptr;
-    const EngineOrder* moment = nullptr;
+    const EngineOrder* found = nullptr;
+    double maximum = 0.0;
     for (const EngineOrder& order : remaining.orders) {
-        if (order.order > orders_that_matter) {
-            break;
-        }
-        if (order.force.max() > zero_share * order.force_scale &&
-            (force == nullptr || order.force.max() > force->force.max())) {
-            force = &order;
-        }
-        if (order.moment.max() > zero_share * order.moment_scale &&
-            (moment == nullptr || order.moment.max() > moment->moment.max())) {
-            moment = &order;
+        const double size = (order.*what).max();
+        if (order.order <= orders_that_matter && size > zero_share * order.*scale &&
+            size > maximum) {
+            found = &order;
+            maximum = size;
         }
     }
-    if (force == nullptr && moment == nullptr) {
-        return {Severity::good,
-                Message(Text::tr("Forces and moments of orders 1 to 4 are balanced."))};
+    return found;
+}
+
+/// The largest residuals, without warnings.
+Verdict residual_verdict(const EngineOrders& remaining) {
+    Message text;
+    if (const EngineOrder* order =
+            largest(remaining, &EngineOrder::force, &EngineOrder::force_scale)) {
+        text = {Text::tr("Maximum residual force: %1, order %2."),
+                Number{rounded_to_digits(order->force.max(), 4), units::newton}, order->order};
     }
-    std::vector<Message> said;
-    if (force != nullptr) {
-        said.emplace_back(Text::tr("Maximum residual force: %1, order %2."),
-                          Number{rounded_to_digits(force->force.max(), 4), units::newton},
-                          force->order);
+    if (const EngineOrder* order =
+            largest(remaining, &EngineOrder::moment, &EngineOrder::moment_scale)) {
+        const Message moment{Text::tr("Maximum residual moment: %1, order %2."),
+                             Number{rounded_to_digits(order->moment.max(), 4), units::N_m},
+                             order->order};
+        text = text.empty() ? moment : Message(Text{"%1 %2"}, text, moment);
     }
-    if (moment != nullptr) {
-        said.emplace_back(Text::tr("Maximum residual moment: %1, order %2."),
-                          Number{rounded_to_digits(moment->moment.max(), 4), units::N_m},
-                          moment->order);
-    }
-    return {Severity::note,
-            said.size() == 1 ? said.front() : Message(Text{"%1 %2"}, said[0], said[1])};
+    return text.empty() ? Verdict{Severity::good, Text::tr("Forces and moments of orders 1 to 4 "
+                                                           "are balanced.")}
+                        : Verdict{Severity::note, text};
 }
 
 }  // namespace
@@ -382,13 +383,9 @@ Verdict verdict(const Input& input, const Result& result) {
     for (const Message& note : result.notes) {
         verdict.warn(note);
     }
-    const Difference* worst = nullptr;
-    for (const Difference& difference : result.differences) {
-        if (difference.warning && (worst == nullptr || difference.of_largest > worst->of_largest)) {
-            worst = &difference;
-        }
-    }
-    if (worst != nullptr && input.shaft_basis == DesignBasis::two_term && !result.shafts.empty()) {
+    const auto rank = [](const Difference& each) { return each.warning ? each.of_largest : -1.0; };
+    const auto worst = std::ranges::max_element(result.differences, {}, rank);
+    if (worst->warning && input.shaft_basis == DesignBasis::two_term && !result.shafts.empty()) {
         verdict.warn({Text::tr("The shafts are designed by the two-term form, which is "
                                "inaccurate here: %1."),
                       describe(*worst)});
