@@ -6,16 +6,13 @@
 #include <limits>
 #include <utility>
 
-#include "balance-shaft/dead_centre.h"
-#include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "methods/plain_text.h"
-#include "numerics/constants.h"
 #include "scenes/scenes.h"
-#include "studies/study.h"
+#include "studies/study_run.h"
 #include "studies/taylor.h"
 
 namespace ravnoves::methods {
@@ -97,9 +94,9 @@ class Question {
         if (!file_.study.is_null()) {
             all = studies::read_study(file_.study, true).vary;
         }
-        if (const auto phase = phase_of_trace(file_, context_, all)) {
-            add({Kind::tolerance, phase->pointer}, {solved(with(phase->pointer, phase->from)),
-                                                    solved(with(phase->pointer, phase->to))});
+        if (const auto open = studies::open_input(file_, context_, all)) {
+            add({Kind::tolerance, open->pointer},
+                {solved(with(open->pointer, open->from)), solved(with(open->pointer, open->to))});
         }
         for (const studies::Varied& varied : all) {
             const Pointer place(varied.pointer);
@@ -197,24 +194,6 @@ std::string Contribution::english() const {
             break;
     }
     return pointer + " ±";
-}
-
-std::optional<studies::Varied> phase_of_trace(const CaseFile& file, const CaseContext& context,
-                                              std::span<const studies::Varied> typed) {
-    const std::string pointer = "/torque/pressure/crank_angle_shift_deg";
-    if (file.scene != "balance-shaft" ||
-        std::ranges::find(typed, pointer, &studies::Varied::pointer) != typed.end()) {
-        return std::nullopt;
-    }
-    const balance_shaft::Input read = balance_shaft::read_input(file.input, context);
-    const auto centre = find_dead_centre(read);
-    if (!centre) {
-        return std::nullopt;
-    }
-    return studies::Varied{.pointer = pointer,
-                           .spread = studies::Varied::Spread::uniform,
-                           .from = (read.torque.trace_shift - centre->uncertainty) / degree,
-                           .to = (read.torque.trace_shift + centre->uncertainty) / degree};
 }
 
 std::vector<CaseDoubt> case_budget(const CaseFile& file, const CaseContext& context) {

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "case-file/case_context.h"
 #include "case-file/result_index.h"
-#include "studies/study.h"
 
 namespace ravnoves {
 struct CaseFile;
@@ -40,11 +38,6 @@ struct CaseDoubt {
     ResultEntry result;  ///< with a value
     std::vector<Contribution> contributions{};
 };
-
-/// The tolerance that a pressure trace has by itself: its phase, as the compression line tells the
-/// dead centre. Nothing where one of these is of the phase.
-std::optional<studies::Varied> phase_of_trace(const CaseFile& file, const CaseContext& context,
-                                              std::span<const studies::Varied> typed);
 
 /// The leading results of a case and how sure each is. Changes within rounding are left out, and so
 /// are results without a change.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "balance-shaft/dead_centre.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
@@ -20,6 +21,7 @@
 #include "inertia-moments/input.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/results.h"
+#include "numerics/constants.h"
 #include "scenes/typed_response.h"
 #include "workshop/input.h"
 #include "workshop/older_formats.h"
@@ -173,6 +175,19 @@ CaseFile parse_case(std::string_view text) {
 
 CaseFile parse_shown_case(std::string_view text) {
     return workshop::as_job(parse_case(text));
+}
+
+std::optional<std::pair<double, double>> open_ends(const CaseFile& file,
+                                                   const CaseContext& context) {
+    if (file.scene != "balance-shaft") {
+        return std::nullopt;
+    }
+    const balance_shaft::Input input = balance_shaft::read_input(file.input, context);
+    const auto centre = find_dead_centre(input);
+    const double shift = input.torque.trace_shift;
+    return centre ? std::optional(std::pair((shift - centre->uncertainty) / degree,
+                                            (shift + centre->uncertainty) / degree))
+                  : std::nullopt;
 }
 
 Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& wanted) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bibliography/formula.h"
@@ -69,6 +71,12 @@ CaseFile parse_case(std::string_view text);
 /// a job of workshop.
 /// @throws InputError
 CaseFile parse_shown_case(std::string_view text);
+
+/// Whether the data of a case leave an input open: the ends of the phase of a pressure trace, °, as
+/// its compression line tells the dead centre.
+inline constexpr const char* open_input = "/torque/pressure/crank_angle_shift_deg";
+std::optional<std::pair<double, double>> open_ends(const CaseFile& file,
+                                                   const CaseContext& context);
 
 /// Solves a case and wraps the result, or its wanted part, in its envelope, without NaN or
 /// infinity.

@@ -1,5 +1,6 @@
 // The study of a case.
 
+#include <algorithm>
 #include <cmath>
 
 #include "case-file/case_file.h"
@@ -76,6 +77,18 @@ std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, con
 
 }  // namespace
 
+std::optional<Varied> open_input(const CaseFile& file, const CaseContext& context,
+                                 const std::vector<Varied>& typed) {
+    using ravnoves::open_input;
+    const auto ends = open_ends(file, context);
+    return ends && std::ranges::find(typed, open_input, &Varied::pointer) == typed.end()
+               ? std::optional(Varied{.pointer = open_input,
+                                      .spread = Varied::Spread::uniform,
+                                      .from = ends->first,
+                                      .to = ends->second})
+               : std::nullopt;
+}
+
 Problem problem_of(const CaseFile& file, const CaseContext& context, std::string_view text) {
     if (file.study.is_null()) {
         throw InputError("/study", Text::tr("is required and missing"));
@@ -99,6 +112,15 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
     };
     for (const std::string& changed : changed_files(file.input, context)) {
         problem.file_notes.push_back(changed_note(changed));
+    }
+    const auto open = problem.study.method == Method::grid
+                          ? std::nullopt
+                          : open_input(file, context, problem.study.vary);
+    if (open) {
+        problem.file_notes.push_back(
+            {Text::tr("The uncertain dead centre of the trace is not included: give %1 a tolerance "
+                      "of ± %2."),
+             open->pointer, Number{(open->to - open->from) / 2.0, units::degree, 2}});
     }
     return problem;
 }

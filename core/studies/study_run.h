@@ -42,6 +42,16 @@ struct Problem {
     std::vector<Message> file_notes{};                  ///< of the files that the case names
 };
 
+/// The tolerance that a case has by itself, by the data of its files. Nothing where one of these is
+/// of the same input.
+std::optional<Varied> open_input(const CaseFile& file, const CaseContext& context,
+                                 const std::vector<Varied>& typed);
+
+/// The study of a case.
+/// @param text  the case file's bytes, for its sum; empty: as written
+/// @throws InputError
+Problem problem_of(const CaseFile& file, const CaseContext& context, std::string_view text = {});
+
 /// What every part of a study begins with, the same in each: the expansions about the means and
 /// how values are counted, from the study's first samples.
 struct Basis {

@@ -2905,6 +2905,10 @@
         <translation>%1 изменился после создания задачи: импортируйте его снова, чтобы принять изменение, или верните прежний файл.</translation>
     </message>
     <message>
+        <source>The uncertain dead centre of the trace is not included: give %1 a tolerance of ± %2.</source>
+        <translation>Неточность мёртвой точки диаграммы не учтена: введите допуск ± %2 для %1.</translation>
+    </message>
+    <message>
         <source>must be at least the minimum speed of the band, %1</source>
         <translation>должно быть не меньше минимальной частоты диапазона, %1</translation>
     </message>

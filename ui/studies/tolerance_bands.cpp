@@ -9,13 +9,13 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "methods/case_budget.h"
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
 #include "studies/model/part_numbers.h"
 #include "studies/model/scattered_inputs.h"
 #include "studies/model/study_model.h"
+#include "studies/study_run.h"
 #include "text/preferences.h"
 
 namespace ravnoves {
@@ -190,7 +190,7 @@ void ToleranceBands::begin() {
                     const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
         const std::shared_ptr<SceneModel> own = std::move(sample);
         own->moveToThread(QThread::currentThread());
-        const auto phase = methods::phase_of_trace(file, context, study.vary);
+        const auto phase = studies::open_input(file, context, study.vary);
         if (phase) {
             places.emplace_back(phase->pointer);
             laws.push_back(studies::law_of(*phase, 0.0));

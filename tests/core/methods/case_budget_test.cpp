@@ -12,6 +12,7 @@
 #include "example_check.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
+#include "studies/study_run.h"
 #include "support.h"
 #include "temporary_folder.h"
 
@@ -116,10 +117,22 @@ TEST(CaseBudget, ThePhaseOfATraceIsAsCertainAsItsCompressionLine) {
     const double half = *phase->change / std::abs(slope);
     EXPECT_GT(half, 0.1);
     EXPECT_LT(half, 2.0);
+    // A study varies what is typed: that it leaves the phase out is said.
+    const auto notes_of = [&](const std::string& varied, const Json& spread) {
+        file.study = {{"vary", {{varied, spread}}},
+                      {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}}};
+        return english(studies::problem_of(file, {}).file_notes);
+    };
+    const auto notes = notes_of("/crank_radius_mm", {{"plus_minus", 0.02}});
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_TRUE(
+        notes[0].starts_with("The uncertain dead centre of the trace is not included: give " +
+                             pointer + " a tolerance of ± 0."))
+        << notes[0];
+    EXPECT_TRUE(notes_of("/crank_radius_mm", {{"values", {37, 38}}}).empty());
     // A tolerance of the user's own takes its place.
-    file.study = {{"vary", {{pointer, {{"plus_minus", 0.25}}}}},
-                  {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}}};
     file.input["torque"]["pressure"]["crank_angle_shift_deg"] = 0.0;
+    EXPECT_TRUE(notes_of(pointer, {{"plus_minus", 0.25}}).empty());
     expect_differences(file, Kind::tolerance, pointer,
                        {with(file, pointer, -0.25), with(file, pointer, 0.25)});
 }

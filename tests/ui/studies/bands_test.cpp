@@ -17,7 +17,6 @@
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "events.h"
 #include "files.h"
-#include "methods/case_budget.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
 #include "pictures/figure.h"
@@ -25,6 +24,7 @@
 #include "scene_tests.h"
 #include "shown_number.h"
 #include "studies/model/part_numbers.h"
+#include "studies/study_run.h"
 #include "studies/tolerance_bands.h"
 #include "text/csv_format.h"
 #include "text/file_path.h"
@@ -259,8 +259,8 @@ TEST_F(Bands, IncludeThePhaseThatATraceLeavesOpen) {
         return texts();
     };
     const QStringList byItself = found();
-    const auto phase = methods::phase_of_trace(page->model()->caseFile(), page->model()->context(),
-                                               std::vector<studies::Varied>());
+    const auto phase = studies::open_input(page->model()->caseFile(), page->model()->context(),
+                                           std::vector<studies::Varied>());
     ASSERT_TRUE(phase);
     vary[phase->pointer] = {{"from", phase->from}, {"to", phase->to}};
     EXPECT_EQ(byItself, found()) << "as if it had been typed";
