@@ -85,25 +85,19 @@ struct Slope {
     bool holds(double rho) const { return rho < spring.free_length / 2.0; }
 };
 
-double runge_kutta_step(const Slope& slope, double rho, double phi, double h) {
-    const double a = slope(rho, phi);
-    const double b = slope(rho + h / 2.0 * a, phi + h / 2.0);
-    const double c = slope(rho + h / 2.0 * b, phi + h / 2.0);
-    const double d = slope(rho + h * c, phi + h);
-    return rho + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
-}
-
 /// Steps of a fixed size through the whole turn.
 Run runge_kutta(const GuideCase& guide, double steps) {
     return [&guide,
             parts = static_cast<int>(steps) / static_cast<int>(intervals)](std::span<double> out) {
         const Slope slope(guide);
+        const auto system = [&](double rho, double& rate, double phi) { rate = slope(rho, phi); };
+        boost::numeric::odeint::runge_kutta4<double> stepper;
         out[0] = slope.start();
         for (std::size_t i = 0; i < intervals; ++i) {
             const double h = (guide.angle(i + 1) - guide.angle(i)) / parts;
             double rho = out[i];
             for (int part = 0; part < parts; ++part) {
-                rho = runge_kutta_step(slope, rho, guide.angle(i) + h * part, h);
+                stepper.do_step(system, rho, guide.angle(i) + h * part, h);
             }
             out[i + 1] = rho;
             if (!slope.holds(rho)) {

@@ -105,7 +105,9 @@ class Acceleration {
           weight_(potential_amplitude(mechanism_)),
           torque_(motion.crank_torque) {}
 
-    double operator()(double phi, double speed) const {
+    /// As a system of Odeint's.
+    void operator()(const std::array<double, 2>& at, std::array<double, 2>& rate, double) const {
+        const auto [phi, speed] = at;
         const double s = std::sin(phi);
         const double c = std::cos(phi);
         const auto inertia = elastic_hinge::reduced_inertia(
@@ -115,7 +117,7 @@ class Acceleration {
         const auto& spring = shape_.spring();
         const double change = spring.free_length - 2.0 * point.radius;
         const double moment = torque_ + 2.0 * spring.stiffness * change * point.slope - weight_ * c;
-        return (moment - 0.5 * inertia.slope * speed * speed) / inertia.value;
+        rate = {speed, (moment - 0.5 * inertia.slope * speed * speed) / inertia.value};
     }
 
   private:
@@ -138,14 +140,12 @@ Message why_not(const MotionCase& motion) {
                : Text::tr("at this speed the time of a turn is below the range of numbers");
 }
 
-struct TurnState {
-    double angle, speed;  ///< rad, rad/s
-};
+namespace odeint = boost::numeric::odeint;
+
+using TurnState = std::array<double, 2>;  ///< angle, rad, and speed, rad/s
 
 void put(const TurnState& state, int part, std::span<double> out) {
-    const auto i = 2 * static_cast<std::size_t>(part - 1);
-    out[i] = state.angle;
-    out[i + 1] = state.speed;
+    std::copy(state.begin(), state.end(), out.begin() + 2 * (part - 1));
 }
 
 /// Brings a state through a time.
@@ -177,45 +177,33 @@ Method<MotionCase> integrated(MethodInfo info, Integrator integrator) {
 /// Equal steps, so many a turn, from one wanted time to the next.
 Advance runge_kutta_4(const MotionCase& motion, const Acceleration& f, double per_turn) {
     const double longest = motion.seconds_of_turn() / per_turn;
-    return [&f, longest](double seconds, TurnState& x) {
+    return [&f, longest, stepper = odeint::runge_kutta4<TurnState>()](double seconds,
+                                                                      TurnState& x) mutable {
         constexpr double rounding = 1e-9;
         const auto steps = std::max(1L, std::lround(std::ceil(seconds / longest - rounding)));
         const double h = seconds / static_cast<double>(steps);
         for (long i = 0; i < steps; ++i) {
-            const double a = f(x.angle, x.speed);
-            const double va = x.speed + h / 2.0 * a;
-            const double b = f(x.angle + h / 2.0 * x.speed, va);
-            const double vb = x.speed + h / 2.0 * b;
-            const double c = f(x.angle + h / 2.0 * va, vb);
-            const double vc = x.speed + h * c;
-            const double d = f(x.angle + h * vb, vc);
-            x.angle += h / 6.0 * (x.speed + 2.0 * va + 2.0 * vb + vc);
-            x.speed += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+            stepper.do_step(std::cref(f), x, 0.0, h);  // whatever the time
         }
         return Message();
     };
 }
 
 Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double tolerance) {
-    namespace odeint = boost::numeric::odeint;
-    using State = std::array<double, 2>;
     // The absolute tolerance is that of an angle and of a speed at once: relative to the speed.
     constexpr double absolute = 1e-2;
     auto stepper =
         odeint::make_dense_output(tolerance * absolute * std::max(1.0, motion.start_speed),
-                                  tolerance, odeint::runge_kutta_dopri5<State>());
-    stepper.initialize(State{0.0, motion.start_speed}, 0.0, 1e-3 / motion.start_speed);
+                                  tolerance, odeint::runge_kutta_dopri5<TurnState>());
+    stepper.initialize(TurnState{0.0, motion.start_speed}, 0.0, 1e-3 / motion.start_speed);
     const auto max_steps = static_cast<long>(1e5 * motion.turns);
     const Message lost = Text::tr("its steps shrink to 0");
     return
         [&f, stepper, lost, max_steps, end = 0.0](double seconds, TurnState& x) mutable -> Message {
             end += seconds;
-            const auto slope = [&f](const State& at, State& rate, double) {
-                rate = {at[1], f(at[0], at[1])};
-            };
             for (long i = 0; stepper.current_time() < end; ++i) {
                 try {
-                    stepper.do_step(slope);
+                    stepper.do_step(std::cref(f));
                 } catch (const odeint::step_adjustment_error&) {
                     return lost;
                 }
@@ -223,9 +211,7 @@ Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double t
                     return lost;
                 }
             }
-            State state{};
-            stepper.calc_state(end, state);
-            x = {state[0], state[1]};
+            stepper.calc_state(end, x);
             return {};
         };
 }
