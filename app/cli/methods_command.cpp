@@ -4,13 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "case-file/input_error.h"
 #include "command.h"
 #include "given_case.h"
 #include "methods/case_budget.h"
 #include "methods/report.h"
 #include "output.h"
-#include "scenes/scenes.h"
 
 namespace ravnoves::cli {
 
@@ -84,7 +82,11 @@ class MethodsCommand final : public Command {
 
     int run() override {
         if (!case_path_.empty()) {
-            return print_budget();
+            return with_case(
+                case_path_, "", "",
+                [](const CaseFile& file, const CaseContext& context, const std::string&) {
+                    return print(methods::write_text(methods::case_budget(file, context)));
+                });
         }
         if (!csv_path_.empty() && !can_write_file(csv_path_)) {
             return exit_bad_input;
@@ -106,15 +108,6 @@ class MethodsCommand final : public Command {
     std::string file() const override { return case_path_; }
 
   private:
-    int print_budget() const {
-        try {
-            const auto [text, context] = read_given_case(case_path_);
-            return print(methods::write_text(methods::case_budget(parse_case(text), context)));
-        } catch (const InputError& error) {
-            return complain(case_path_, error.what());
-        }
-    }
-
     std::optional<std::string> kernel_;
     std::string csv_path_;
     std::string case_path_;

@@ -41,6 +41,9 @@ int print(const std::string& text) {
 }
 
 int write_file(const std::string& path, const std::string& text) {
+    if (path.empty()) {
+        return print(text);
+    }
     try {
         write_text_file(path, text);
     } catch (const InputError& error) {

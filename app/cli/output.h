@@ -22,7 +22,7 @@ int complain(const std::string& file, const std::string& text);
 /// @return the exit status; where it cannot be written, this has been said
 int print(const std::string& text);
 
-/// Writes a file as write_text_file() does.
+/// Writes a file as write_text_file() does; prints where its name is empty.
 /// @return the exit status; where it cannot be written, this has been said
 int write_file(const std::string& path, const std::string& text);
 

@@ -12,31 +12,11 @@
 #include "command.h"
 #include "given_case.h"
 #include "output.h"
-#include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves::cli {
 
 namespace {
-
-int solve_file(const std::string& case_path, const std::string& result_path, const Wanted& wanted) {
-    if (is_same_file(case_path, result_path)) {
-        return complain(result_path, "is the case itself; write the result to another file");
-    }
-    std::string answer;
-    try {
-        const auto [text, context] = read_given_case(case_path);
-        const CaseFile file = parse_case(text);
-        if (is_named_by(file, context, result_path)) {
-            return complain(result_path,
-                            "is a file that the case reads; write the result to another file");
-        }
-        answer = json_text(solve_case(file, context, wanted), JsonLayout::lines) + "\n";
-    } catch (const InputError& error) {
-        return complain(case_path, error.what());
-    }
-    return result_path.empty() ? print(answer) : write_file(result_path, answer);
-}
 
 std::string rejection_of(const LineReader& lines, const char* why) {
     return json_text({{"error", why}, {"line", lines.number()}}, JsonLayout::one_line) + '\n';
@@ -131,7 +111,13 @@ class SolveCommand final : public Command {
                 return complain("ravnoves-cli", std::string("standard input ") + error.what());
             }
         }
-        return solve_file(case_path_, result_path_, wanted);
+        return with_case(
+            case_path_, result_path_, "result",
+            [&](const CaseFile& file, const CaseContext& context, const std::string&) {
+                return write_file(
+                    result_path_,
+                    json_text(solve_case(file, context, wanted), JsonLayout::lines) + "\n");
+            });
     }
 
     std::string file() const override { return case_path_; }

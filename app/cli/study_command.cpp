@@ -132,27 +132,19 @@ class StudyCommand final : public Command {
         const std::string text = !shard_text_
                                      ? json_text(studies::write_results(part), JsonLayout::lines)
                                      : json_text(studies::write_part(part), JsonLayout::one_line);
-        return output_path_.empty() ? print(text + "\n") : write_file(output_path_, text + "\n");
+        return write_file(output_path_, text + "\n");
     }
 
     int run_case() {
-        if (is_same_file(case_path_, output_path_)) {
-            return complain(output_path_, "is the case itself; write the study to another file");
-        }
-        if (!output_path_.empty() && !can_write_file(output_path_)) {
+        if (!is_same_file(case_path_, output_path_) && !output_path_.empty() &&
+            !can_write_file(output_path_)) {
             return exit_bad_input;
         }
-        try {
-            const auto [text, context] = read_given_case(case_path_);
-            const CaseFile file = parse_case(text);
-            if (is_named_by(file, context, output_path_)) {
-                return complain(output_path_,
-                                "is a file that the case reads; write the study to another file");
-            }
-            return run_problem(studies::problem_of(file, context, text));
-        } catch (const InputError& error) {
-            return complain(case_path_, error.what());
-        }
+        return with_case(
+            case_path_, output_path_, "study",
+            [this](const CaseFile& file, const CaseContext& context, const std::string& text) {
+                return run_problem(studies::problem_of(file, context, text));
+            });
     }
 
     /// Whether the output is there and holds the finished study of another case.
