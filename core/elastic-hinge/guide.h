@@ -140,8 +140,9 @@ struct Guide {
 
     std::shared_ptr<const GuideShape> shape;  ///< empty without spring or exact kinematics
 
-    const BranchSummary& summary() const {
-        return branch == Branch::compressed ? compressed : stretched;
+    const BranchSummary& summary() const { return summary(branch); }
+    const BranchSummary& summary(Branch of) const {
+        return of == Branch::compressed ? compressed : stretched;
     }
 };
 

@@ -17,8 +17,7 @@ namespace {
 constexpr std::size_t max_points = 500'000;
 
 void check_drawing(const Guide& guide, const GuideDrawing& drawing) {
-    const BranchSummary& summary =
-        drawing.branch == Branch::compressed ? guide.compressed : guide.stretched;
+    const BranchSummary& summary = guide.summary(drawing.branch);
     if (!guide.shape || !summary.exists) {
         throw InputError("", guide.reason.empty()
                                  ? Message(Text::tr("no feasible guide"))
@@ -110,9 +109,8 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
     if (drawing.roller_radius == 0.0) {
         lines.emplace_back("WARNING: roller radius 0, the profile is the path of the centre");
     }
-    const BranchSummary& summary =
-        drawing.branch == Branch::compressed ? guide.compressed : guide.stretched;
-    if (const Message note = overlap_note(guide.hinge, summary, drawing.roller_radius);
+    if (const Message note =
+            overlap_note(guide.hinge, guide.summary(drawing.branch), drawing.roller_radius);
         !note.empty()) {
         lines.push_back("WARNING: " + note.english());
     }
