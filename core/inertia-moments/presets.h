@@ -42,7 +42,7 @@ EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radi
 /// as the cylinders.
 std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double crank_radius);
 
-/// After a change of spacing, stagger or crank radius of a layout: anything at its usual place
+/// After a change of a layout or of the crank radius: anything at its usual place
 /// before (end webs, weights of the shafts) moves to the new place.
 void follow_sizes(Input& input, const Input& before);
 

@@ -62,6 +62,11 @@ void add_doubts(const Input& input, Result& result) {
                    "it."),
           in_mm(beyond), in_mm(radius));
     if (const auto& weights = result.counterweights) {
+        const EndWebs& webs = *input.end_webs;
+        doubt(webs.front_position < front || webs.rear_position > rear,
+              Text::tr("The counterweights at z = %1 and %2 are not beyond the outer cylinders: "
+                       "check their places."),
+              in_mm(webs.front_position), in_mm(webs.rear_position));
         const double mass = std::max(weights->front.mass(), weights->rear.mass());
         const double all = count * (engine.rotating_mass + engine.reciprocating_mass);
         doubt(mass > all,

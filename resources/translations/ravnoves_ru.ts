@@ -6569,6 +6569,10 @@
         <translation>Центр масс z₀ в %1 за пределами цилиндров при радиусе кривошипа %2: проверьте.</translation>
     </message>
     <message>
+        <source>The counterweights at z = %1 and %2 are not beyond the outer cylinders: check their places.</source>
+        <translation>Противовесы на z = %1 и %2 стоят не за крайними цилиндрами: проверьте их место.</translation>
+    </message>
+    <message>
         <source>A counterweight of %1 is heavier than all throws and pistons (%2): check places and radii of the counterweights.</source>
         <translation>Противовес %1 тяжелее всех колен и поршней вместе (%2): проверьте места и радиусы противовесов.</translation>
     </message>

@@ -243,6 +243,7 @@ TEST(InertiaMomentsVerdict, DoubtsWhatNoEngineIsLike) {
                 {"/reference_position_mm", 400, ""},
                 {"/reference_position_mm", -2048, "is 2001 mm outside the cylinders"},
                 {"/counterweights", webs(240, 45), ""},
+                {"/counterweights", webs(150, 45), "not beyond the outer cylinders"},
                 {"/counterweights", webs(240, 0.1), "is heavier than all throws and pistons"},
                 {"/counterweights", webs(-88, 45), "is heavier than all throws and pistons"}};
     for (const auto& [pointer, value, doubt] : rows) {

@@ -67,10 +67,7 @@ QString InertiaMomentsModel::editField(const std::string& pointer, const FieldVa
     return edit(name, [&](Input& input) {
         const Input before = input;
         setField(input, pointer, value);
-        if (pointer == "/layout/spacing_mm" || pointer == "/layout/stagger_mm" ||
-            pointer == "/crank_radius_mm") {
-            inertia_moments::follow_sizes(input, before);
-        }
+        inertia_moments::follow_sizes(input, before);
     });
 }
 
