@@ -39,11 +39,6 @@ Number millimetres(double length) {
     return {length / units::mm, units::mm, -1};
 }
 
-Message at_angle(double unbalance, double angle) {
-    return {Text{"%1 ∠ %2"}, in_gram_millimetres(unbalance),
-            Number{angle / units::degree, units::degree, -1}};
-}
-
 bool differ(double a, double b, double times) {
     return a > 0.0 && b > 0.0 && std::abs(std::log(a / b)) > std::log(times);
 }
@@ -84,6 +79,11 @@ struct DoubtSearch {
                                    [&](const Doubt& each) { return each.rule->word == word; });
     }
 
+    /// As the machine shows it.
+    Message reading(double unbalance, double heavy_spot) const {
+        return {Text{"%1 ∠ %2"}, in_gram_millimetres(unbalance),
+                Number{input.machine.shown(heavy_spot) / units::degree, units::degree, -1}};
+    }
     Message plane_name(std::size_t plane) const {
         return shop::plane_title(input.machine.planes, plane);
     }
@@ -457,7 +457,7 @@ void drilled_at_light_spot(DoubtSearch& job) {
                 job.say(
                     Text::tr("%1: the holes drilled after %2 are opposite this heavy spot. Check "
                              "whether the machine shows the heavy or the light spot."),
-                    job.plane_name(i), at_angle(read.unbalance, *read.angle));
+                    job.plane_name(i), job.reading(read.unbalance, *read.angle));
             }
         }
     }
@@ -512,8 +512,8 @@ void drilled_otherwise(DoubtSearch& job) {
                 : Text::tr(
                       "%1: residual %2 after drilling instead of %3. Check the actual holes: "
                       "angle, depth, zero mark and direction of degrees.");
-        job.say(text, job.plane_name(i), at_angle(now.unbalance, *now.angle),
-                at_angle(other.expected, other.expected_angle));
+        job.say(text, job.plane_name(i), job.reading(now.unbalance, *now.angle),
+                job.reading(other.expected, other.expected_angle));
     }
 }
 

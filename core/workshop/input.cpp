@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "bob-weights/drilling.h"
 #include "bob-weights/solver.h"
 #include "case-file/field_visitor.h"
 #include "case-file/field_writer.h"
@@ -93,6 +94,10 @@ std::optional<v8_plugs::Input> whole_plugs(const Input& input) {
         whole.weigh_in->fit(cylinder_count);
     }
     return whole;
+}
+
+double Machine::shown(double heavy_spot) const {
+    return shows == Shows::light ? bob_weights::turn_of(heavy_spot + pi) : heavy_spot;
 }
 
 Input with_heavy_spots(Input input) {

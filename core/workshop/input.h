@@ -23,6 +23,9 @@ struct Machine {
     Shows shows = Shows::heavy;
     std::string zero;  ///< where 0° is
 
+    /// The angle that it shows for a heavy spot, rad.
+    double shown(double heavy_spot) const;
+
     friend bool operator==(const Machine&, const Machine&) = default;
 };
 

@@ -17290,8 +17290,8 @@ but at this l no α is feasible</source>
         <translation>Очищены: взвешенные массы, показания, отверстия и масса вала. Остальное сохранено.</translation>
     </message>
     <message>
-        <source>Readings of the run, transferred to this plane</source>
-        <translation>Показания пуска, перенесённые в эту плоскость</translation>
+        <source>Readings of the run, transferred to this plane, as the machine shows them</source>
+        <translation>Показания пуска, перенесённые в эту плоскость, как их даёт станок</translation>
     </message>
     <message>
         <source>Name of the engine</source>

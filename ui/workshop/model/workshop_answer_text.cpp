@@ -762,8 +762,10 @@ Results WorkshopModel::runResults() const {
     const QString unit = QStringLiteral(", ") + words.unit(units::gram_mm);
     Results results{
         {words.translate("BobWeights", "Run"),
-         {planeName(0) + unit, tr("Readings of the run, transferred to this plane")},
-         {planeName(1) + unit, tr("Readings of the run, transferred to this plane")},
+         {planeName(0) + unit,
+          tr("Readings of the run, transferred to this plane, as the machine shows them")},
+         {planeName(1) + unit,
+          tr("Readings of the run, transferred to this plane, as the machine shows them")},
          {words.translate("BobWeights", "Verdict"), tr("By the limits of both planes")}}};
     const auto& runs = solution().runs;
     for (std::size_t run = firstRun(); newestRun() > 0 && run < runs.size(); ++run) {
@@ -773,7 +775,8 @@ Results WorkshopModel::runResults() const {
                 return noNumber;
             }
             const QString unbalance = words.digits(read->unbalance, units::gram_mm, 1);
-            return read->angle ? atAngle(words, unbalance, read->unbalance, *read->angle)
+            return read->angle ? atAngle(words, unbalance, read->unbalance,
+                                         input().machine.shown(*read->angle))
                                : unbalance;
         };
         const QString verdict = verdictText(words, readWord(runs[run], runs[run].passes()));
