@@ -10078,8 +10078,8 @@
         <translation>При этой расточке он смещается на %1: %2.</translation>
     </message>
     <message>
-        <source>With the plugs removed. With the planned plugs fitted use %1.</source>
-        <translation>Без заглушек. С намеченными заглушками навесьте %1.</translation>
+        <source>Without plugs; with the planned plugs use %1.</source>
+        <translation>Без заглушек; с намеченными — %1.</translation>
     </message>
     <message>
         <source>Would match nominal, but cannot be made.</source>

@@ -117,6 +117,7 @@ class ProgramStyle : public QProxyStyle {
                 return usual;
         }
     }
+
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* returned) const override {
         switch (hint) {

@@ -201,7 +201,7 @@ TEST_F(JobCardTest, HasTheHeadTheAnswerAndRoomForSignatures) {
                        {u"53-11 № 0042817"_s, u"66-1005015"_s, u"Автобаза № 3"_s, u"Иванов А. П."_s,
                         u"2024-05-31"_s, u"Take 1.83 g off each of the 8 steel plugs."_s,
                         u"Oversize pistons, second repair shells"_s, u"Technician, signature"_s,
-                        u"FAIL"_s, u"410.0"_s, u"900.5"_s, u"With the plugs removed"_s}));
+                        u"FAIL"_s, u"410.0"_s, u"900.5"_s, u"Without plugs"_s}));
     const QString russian = cardText(shopsJob(), u"ru"_s);
     EXPECT_TRUE(hasAll(russian, {u"Снять с каждой из 8 стальных заглушек 1,83 г."_s,
                                  u"31.05.2024"_s, u"Исполнитель, подпись"_s, u"1000,0"_s}));

@@ -145,7 +145,7 @@ TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
     const BobWeight& after = *model->plugs()->chosen()->bob_weight;
     // About 59 g: two plugs of 25 g at 1.18 times the crank radius.
     EXPECT_GT(after.sum() - after.with_plugs_in(), 55 * gram);
-    EXPECT_TRUE(has(label("hang"), u"With the plugs removed. With the planned plugs fitted use "_s +
+    EXPECT_TRUE(has(label("hang"), u"Without plugs; with the planned plugs use "_s +
                                        QString::number(after.with_plugs_in() / gram, 'f', 1)));
     EXPECT_TRUE(has(label("check"), u"Big end × 2.445: 2 for two rods, k"_s));
     EXPECT_TRUE(has(label("check"), u"effect here: 0.22 g"_s));

@@ -129,7 +129,7 @@ QString WorkshopModel::plugsWhileHung(const Words& words) const {
     const BobWeight* hung =
         plugs() != nullptr && plugs()->before ? plugs()->hung_weight() : nullptr;
     return hung != nullptr
-               ? words.translate("V8", "With the plugs removed. With the planned plugs fitted use %1.")
+               ? words.translate("V8", "Without plugs; with the planned plugs use %1.")
                      .arg(grams(words, hung->with_plugs_in(), 1))
                : QString();
 }
