@@ -43,21 +43,8 @@ PAIRS = [
     ("the same of a spline", "bench-core-balance-shaft",
      lambda took: took["move_shaft/rows:721/cubic:1"],
      lambda took: took["plain_range_sweep"] / 360),
-    ("the best α, certain (rival: 360 ranges of samples, Eigen)", "bench-core-balance-shaft",
-     lambda took: took["best_angle/721"], lambda took: took["plain_range_sweep"]),
-    ("the best place, certain (rival: Nelder-Mead)", "bench-core-balance-shaft",
-     lambda took: took["best_place/721"], lambda took: took["nelder_mead_place/721"]),
     ("map of places (rival: a plain loop)", "bench-core-balance-shaft",
      lambda took: took["map_of_places/49"], lambda took: took["plain_map_of_places/49"]),
-    ("piston at 721 angles, exact (rival: the loop closed by Newton's method)",
-     "bench-core-inertia-moments",
-     lambda took: took["PistonOfSliderCrank"], lambda took: took["PistonByNewtonClosure"]),
-    ("all curves of the hinges at one more λ, 721 angles (rival: seven curves, Eigen)",
-     "bench-core-elastic-hinge",
-     lambda took: took["curves_at_another_lambda"], lambda took: took["curves_in_plain_eigen"]),
-    ("a case of the hinges: curves, three guides, checks (rival: seven curves, Eigen)",
-     "bench-core-elastic-hinge",
-     lambda took: took["solve_a_case"], lambda took: took["curves_in_plain_eigen"]),
 ]
 
 # Program of the benchmarks, its arguments, and what it finds in the environment.

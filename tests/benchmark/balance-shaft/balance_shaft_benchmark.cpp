@@ -1,11 +1,9 @@
 // What the balance-shaft page waits for: one position of the shaft, the sweep over its angle, the
-// best angle, best place and map. On 721 rows (every degree); the map on the paper's table of 49.
+// map. On 721 rows (every degree); the map on the paper's table of 49.
 
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -75,16 +73,6 @@ void sweep(benchmark::State& state) {
 }
 BENCHMARK(sweep)->ArgsProduct({{721}, {0, 1}})->ArgNames({"rows", "cubic"});
 
-/// The global minimum of the range over α.
-void best_angle(benchmark::State& state) {
-    const Solver solver = solver_of(state);
-    const double amplitude = solver.result().moment_amplitude;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(minimise_range(solver.moments().plane, amplitude).alpha);
-    }
-}
-BENCHMARK(best_angle)->Arg(721);
-
 /// For comparison: one range by a plain loop over 721 samples, not exact.
 void plain_range_sweep(benchmark::State& state) {
     const Result result = solve(engine(721));
@@ -110,9 +98,8 @@ void plain_range_sweep(benchmark::State& state) {
 }
 BENCHMARK(plain_range_sweep);
 
-// The place of the shaft: the best one from a prepared solver, the map of range and RMS; beside a
-// plain grid in Eigen and the method of Nelder and Mead, which see the torque at every degree
-// alone.
+// The map of range and RMS over places; beside a plain grid in Eigen, which sees the torque at
+// every degree alone.
 
 /// M_up at every degree, with M_s of a place.
 struct Samples {
@@ -132,14 +119,6 @@ struct Samples {
         return sum.maxCoeff() - sum.minCoeff();
     }
 };
-
-void best_place(benchmark::State& state) {
-    const Solver solver = solver_of(state);
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(PositionStudy(solver).best().rms->position.x);
-    }
-}
-BENCHMARK(best_place)->Arg(721);
 
 /// Range and RMS at 200 × 200 places, exact over the continuous cycle.
 void map_of_places(benchmark::State& state) {
@@ -164,48 +143,5 @@ void plain_map_of_places(benchmark::State& state) {
     }
 }
 BENCHMARK(plain_map_of_places)->Arg(49);
-
-/// The rival: Nelder and Mead's simplex on the sampled torque until it is 1e-9 m small.
-void nelder_mead_place(benchmark::State& state) {
-    const Samples samples(solver_of(state));
-    struct Corner {
-        Eigen::Vector2d at;
-        double range;
-    };
-    for (auto _ : state) {
-        int evaluations = 0;
-        const auto corner = [&](const Eigen::Vector2d& at) {
-            ++evaluations;
-            return Corner{at, samples.range(at.x(), at.y())};
-        };
-        std::array<Corner, 3> simplex{corner({0.0, 0.0}), corner({0.05, 0.0}), corner({0.0, 0.05})};
-        while ((simplex[0].at - simplex[2].at).norm() + (simplex[1].at - simplex[2].at).norm() >
-                   1e-9 &&
-               evaluations < 1000) {
-            std::sort(simplex.begin(), simplex.end(),
-                      [](const Corner& a, const Corner& b) { return a.range < b.range; });
-            const Eigen::Vector2d middle = (simplex[0].at + simplex[1].at) / 2.0;
-            const Eigen::Vector2d away = middle - simplex[2].at;
-            const Corner reflected = corner(middle + away);
-            if (reflected.range < simplex[0].range) {
-                const Corner expanded = corner(middle + 2.0 * away);
-                simplex[2] = expanded.range < reflected.range ? expanded : reflected;
-            } else if (reflected.range < simplex[1].range) {
-                simplex[2] = reflected;
-            } else {
-                const bool outside = reflected.range < simplex[2].range;
-                const Corner contracted = corner(middle + (outside ? 0.5 : -0.5) * away);
-                if (contracted.range < std::min(reflected.range, simplex[2].range)) {
-                    simplex[2] = contracted;
-                } else {
-                    simplex[1] = corner((simplex[0].at + simplex[1].at) / 2.0);
-                    simplex[2] = corner((simplex[0].at + simplex[2].at) / 2.0);
-                }
-            }
-        }
-        benchmark::DoNotOptimize(simplex[0].range);
-    }
-}
-BENCHMARK(nelder_mead_place)->Arg(721);
 
 }  // namespace
