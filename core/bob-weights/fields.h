@@ -134,9 +134,9 @@ inline constexpr Field unbalance{.key = "unbalance_g_mm",
 inline constexpr Field angle{
     .key = "angle_deg",
     .range = Range::between(-360, 360),
-    .label = Text::tr("Heavy spot"),
-    .hint = Text::tr("Angle of the heavy spot from the machine's zero mark; the light spot is "
-                     "180° away. A reading of 0 has no angle."),
+    .label = Text::tr("Angle shown"),
+    .hint = Text::tr("Angle that the machine shows, from its zero mark: of the heavy spot, or of "
+                     "the light spot, 180° away. A reading of 0 has no angle."),
     .placeholder = Text::tr("required")};
 using shop::field::bob_weight_then;
 inline constexpr Field drill{.key = "drill", .hint = Text::tr("Available drills.")};

@@ -4209,8 +4209,12 @@
         <translation>в самой плоскости коррекции</translation>
     </message>
     <message>
-        <source>Angle of the heavy spot from the machine&apos;s zero mark; the light spot is 180° away. A reading of 0 has no angle.</source>
-        <translation>Угол тяжёлого места от нулевой метки станка; лёгкое место — на 180° дальше. У показания 0 угла нет.</translation>
+        <source>Angle shown</source>
+        <translation>Показанный угол</translation>
+    </message>
+    <message>
+        <source>Angle that the machine shows, from its zero mark: of the heavy spot, or of the light spot, 180° away. A reading of 0 has no angle.</source>
+        <translation>Угол, который показывает станок, от его нулевой метки: тяжёлого места или лёгкого, 180° от него. У показания 0 угла нет.</translation>
     </message>
     <message>
         <source>Available drills.</source>

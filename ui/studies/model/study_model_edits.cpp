@@ -135,6 +135,8 @@ void StudyModel::take(Preset preset) {
         if (preset == Preset::OnePercent && input.value != 0.0) {
             varied.spread = Varied::Spread::plus_minus_percent;
             varied.size = 1.0;
+        } else if (input.value == 0.0 && input.unit.endsWith(unitText("g"))) {
+            continue;  // half of its samples would be negative masses
         } else if (weighed && input.unit.endsWith(unitText("kg"))) {
             varied.size = weighedGrams / 1000.0;
         } else if (weighed && input.unit == unitText("g")) {
