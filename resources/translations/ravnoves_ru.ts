@@ -10635,11 +10635,11 @@ but at this l no α is feasible</source>
     </message>
     <message>
         <source>Drilled before the &amp;last reading: add</source>
-        <translation>Просверлено до &amp;последнего измерения: добавить</translation>
+        <translation>Было до &amp;последнего показания: добавить</translation>
     </message>
     <message>
         <source>For a hole that was not planned: the last reading contains its effect, the one before does not.</source>
-        <translation>Для отверстия, которого не было в плане: последнее измерение его учитывает, предыдущее — нет.</translation>
+        <translation>Для отверстия, которого не было в плане: последнее показание его учитывает, предыдущее — нет.</translation>
     </message>
     <message>
         <source>Drilled before the first reading: &amp;add</source>
