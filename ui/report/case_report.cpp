@@ -203,8 +203,8 @@ void addVariants(Paper& report, const SceneModel& model) {
 }
 
 /// The answer: what holds, the picture, the leading results.
-void addAnswer(Paper& report, const ScenePage& page, const SceneModel& model,
-               const PageGroup& answer) {
+void addAnswer(Paper& report, ScenePage& page, const PageGroup& answer) {
+    const SceneModel& model = *page.model();
     if (QString rejected = rejectedWords(&page); !rejected.isEmpty()) {
         // A verdict on values that are to be others is none.
         report.say(rejected.replace(QStringLiteral("\n\n"), QStringLiteral(" "))
@@ -237,7 +237,7 @@ Paper makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& ch
                                                           .toHtmlEscaped());
     const auto [answer, groups] =
         caseParts(page, report, patience, model.study().empty() ? 0.9 : 0.7);
-    addAnswer(report, page, model, answer);
+    addAnswer(report, page, answer);
     addVariants(report, model);
     if (!model.study().empty()) {
         patience.tell(ReportWords::tr("Tolerances"), 0.7);

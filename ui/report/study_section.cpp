@@ -67,13 +67,16 @@ QString methodText(const studies::Study& study) {
 /// With the limits beside the share of the samples within them.
 Table foundValues(const StudyModel& study) {
     Results results = foundResults(study);
-    for (ResultRow& row : results.rows) {
-        const auto place = static_cast<std::size_t>(&row - results.rows.data());
-        const studies::Watched& watched = study.study().watch[place];
-        const QString limits =
-            limitsText(watched, study.resultName(watched.pointer).shown().factor);
+    const auto& watch = study.study().watch;
+    for (qsizetype i = 0; i < results.rows.size(); ++i) {
+        const std::string& pointer = study.answers()->values[static_cast<std::size_t>(i)].pointer;
+        const auto watched = std::ranges::find(watch, pointer, &studies::Watched::pointer);
+        const QString limits = watched != watch.end()
+                                   ? limitsText(*watched, study.resultName(pointer).shown().factor)
+                                   : QString();
         if (!limits.isEmpty()) {
-            row.last().text = limits + QStringLiteral(": ") + row.last().text;
+            QString& share = results.rows[i].last().text;
+            share = limits + QStringLiteral(": ") + share;
         }
     }
     Table table = tableOf(results);
@@ -161,9 +164,8 @@ void addTolerances(Paper& report, SceneModel& model, const Patience& patience) {
     }
     report.say(methodText(study.study()));
     report.body += table(foundValues(study));
-    for (const QString& line : samplesWords(study)) {
-        const bool isRare = answers->isRarelyFeasible() && line == answers->feasibleText();
-        report.say(line, isRare ? Tone::Warning : Tone::Muted);
+    for (const auto& [line, severity] : samplesWords(study)) {
+        report.say(line, severity == Severity::warning ? Tone::Warning : Tone::Muted);
     }
     for (const QString& note : study.notes()) {
         report.say(note, Tone::Warning);

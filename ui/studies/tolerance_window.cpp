@@ -431,7 +431,9 @@ void ToleranceWindow::showFound() {
         if (model_->isStale()) {
             lines << tr("Values before the change; computing…");
         }
-        lines << samplesWords(*model_);
+        for (const auto& [line, severity] : samplesWords(*model_)) {
+            lines << line;
+        }
         lines << model_->notes();
     }
     const Theme& theme = Theme::instance();

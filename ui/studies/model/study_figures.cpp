@@ -177,17 +177,22 @@ Results foundResults(const StudyModel& study) {
     return results;
 }
 
-QStringList samplesWords(const StudyModel& study) {
-    QStringList lines;
+std::vector<std::pair<QString, Severity>> samplesWords(const StudyModel& study) {
+    std::vector<std::pair<QString, Severity>> lines;
+    const StudyAnswers& answers = *study.answers();
     if (studies::is_sampled(study.study().method)) {
-        lines << HistogramWords::tr("Samples solved: %1")
-                     .arg(QLocale().toString(qulonglong(study.answers()->solved)));
-        lines << study.answers()->feasibleText();
-        lines.removeAll(QString());
+        lines.emplace_back(HistogramWords::tr("Samples solved: %1")
+                               .arg(QLocale().toString(qulonglong(answers.solved))),
+                           Severity::note);
+        if (answers.feasible) {
+            lines.emplace_back(answers.feasibleText(),
+                               answers.isRarelyFeasible() ? Severity::warning : Severity::note);
+        }
     }
     for (const auto& [reason, count] : study.rejected()) {
-        lines << HistogramWords::tr("Rejected: %1 × %2")
-                     .arg(QLocale().toString(qulonglong(count)), reason);
+        lines.emplace_back(HistogramWords::tr("Rejected: %1 × %2")
+                               .arg(QLocale().toString(qulonglong(count)), reason),
+                           Severity::note);
     }
     return lines;
 }

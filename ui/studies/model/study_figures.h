@@ -1,7 +1,9 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "case-file/verdict.h"
 #include "plot/model/figure.h"
 #include "text/result_row.h"
 
@@ -21,7 +23,8 @@ QString sweepWords(const StudyModel& study, const SweepModel& model);
 Figure histogramFigure(const StudyModel& study, const StudyAnswer* value);
 /// The answers of the watched results; without any, the columns alone.
 Results foundResults(const StudyModel& study);
-/// Of the answers: how many samples were solved and are feasible, and why others were rejected.
-QStringList samplesWords(const StudyModel& study);
+/// Of the answers: how many samples were solved and are feasible, and why others were rejected; the
+/// line of few feasible ones is a warning.
+std::vector<std::pair<QString, Severity>> samplesWords(const StudyModel& study);
 
 }  // namespace ravnoves
