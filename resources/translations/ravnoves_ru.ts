@@ -7897,6 +7897,18 @@
         <translation>до %1 бит</translation>
     </message>
     <message>
+        <source>Computing the printed numbers.</source>
+        <translation>Вычисляются напечатанные числа.</translation>
+    </message>
+    <message>
+        <source>All %1 printed numbers are given, reproduced or explained.</source>
+        <translation>Все напечатанные числа (%1) заданы, воспроизведены или объяснены.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 printed numbers differ without a reason.</source>
+        <translation>Напечатанных чисел, отличающихся без объяснения: %1 из %2.</translation>
+    </message>
+    <message>
         <source>Measuring the methods on this machine.</source>
         <translation>Методы измеряются на этом компьютере.</translation>
     </message>

@@ -97,6 +97,7 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     tabs_->addTab(charts_, tr("Speed and accuracy"));
     validation_ = new ValidationView(tabs_);
     connect(validation_, &ValidationView::status, this, &ScenePage::status);
+    connect(validation_->viewModel(), &ValidationModel::changed, this, &MethodsPage::showVerdict);
     addScrolledTab(tabs_, validation_, QStringLiteral("validation"), tr("Validation report"));
     connect(tabs_, &QTabWidget::currentChanged, this, [this] {
         updateActive();
@@ -348,12 +349,10 @@ void MethodsPage::showWords() {
 }
 
 void MethodsPage::showVerdict() {
-    verdict_->setVisible(!isInFront(validation_));  // whose counts are its first line
-    if (isInFront(case_)) {
-        verdict_->show(budget_->verdict());
-        return;
-    }
-    const auto verdict = model_->verdictShown();
+    const std::optional<Verdict> verdict = isInFront(case_) ? budget_->verdict()
+                                           : isInFront(validation_)
+                                               ? validation_->viewModel()->verdict()
+                                               : model_->verdictShown();
     verdict_->show(verdict.value_or(
         Verdict{Severity::note, {Text::tr("Measuring the methods on this machine.")}}));
 }

@@ -25,6 +25,7 @@
 #include "text/csv_format.h"
 #include "theme/theme.h"
 #include "widgets/result_table.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 namespace {
@@ -200,6 +201,7 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     for (const auto* row : view->viewModel()->rows()) {
         EXPECT_EQ(row->scene, "elastic-hinge");
     }
+    EXPECT_TRUE(page.findChild<VerdictLine*>()->text().startsWith(QStringLiteral("OK: All ")));
     choose("verdict_filter", 3);
     for (const auto* row : view->viewModel()->rows()) {
         EXPECT_EQ(row->verdict, methods::Verdict::slip);

@@ -59,6 +59,21 @@ void ValidationModel::load() {
     });
 }
 
+Verdict ValidationModel::verdict() const {
+    if (!report_) {
+        return {Severity::note, Text::tr("Computing the printed numbers.")};
+    }
+    const std::size_t all = report_->rows.size();
+    const std::size_t differing = report_->count(methods::Verdict::differs);
+    return differing == 0
+               ? Verdict{Severity::good,
+                         {Text::tr("All %1 printed numbers are given, reproduced or explained."),
+                          all}}
+               : Verdict{Severity::warning,
+                         {Text::tr("%1 of %2 printed numbers differ without a reason."), differing,
+                          all}};
+}
+
 void ValidationModel::setPaper(std::optional<std::size_t> paper) {
     paper_ = paper;
     filter();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "case-file/verdict.h"
 #include "methods/validation/validation.h"
 #include "model/background_job.h"
 #include "text/result_row.h"
@@ -26,6 +27,8 @@ class ValidationModel : public QObject {
     void load();
     bool isRunning() const { return job_->isRunning(); }
     const methods::ValidationReport* report() const { return report_.get(); }
+    /// Whether a printed number differs without a reason, of all papers.
+    Verdict verdict() const;
 
     /// Index in methods::papers(); empty: all of them.
     void setPaper(std::optional<std::size_t> paper);
