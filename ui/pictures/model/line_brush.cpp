@@ -75,13 +75,22 @@ double pastEnd(const QPointF& end, const QPointF* next, const QPointF& along, do
     return continues && turn < 1.0 ? reach * turn : reach;
 }
 
+/// Kept from one brush to the next, nothing of it covered: a window's would be cleared each time.
+std::vector<std::uint8_t>& coverOf(const QSize& size) {
+    static thread_local std::vector<std::uint8_t> cover;
+    const auto needed =
+        static_cast<std::size_t>(std::max(0, size.width()) * std::max(0, size.height())) +
+        sizeof(std::uint64_t);
+    cover.resize(std::max(cover.size(), needed));
+    return cover;
+}
+
 }  // namespace
 
 LineBrush::LineBrush(QImage& picture, const QRect& clip)
     : picture_(picture),
       clip_(clip & picture.rect()),
-      cover_(static_cast<std::size_t>(std::max(0, clip_.width()) * std::max(0, clip_.height())) +
-             sizeof(std::uint64_t)),
+      cover_(coverOf(clip_.size())),
       touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}) {}
 
 void LineBrush::draw(const std::vector<QPolygonF>& lines, const QColor& colour, double width,

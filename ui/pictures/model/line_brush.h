@@ -37,8 +37,8 @@ class LineBrush {
 
     QImage& picture_;
     QRect clip_;
-    double half_ = 0.5;                ///< of the width
-    std::vector<std::uint8_t> cover_;  ///< of each pixel of the clip, 255 is all; and eight more
+    double half_ = 0.5;                 ///< of the width
+    std::vector<std::uint8_t>& cover_;  ///< of each pixel of the clip, 255 is all; and eight more
     /// Of each row of the clip, the pixels touched: from, to beyond the last.
     std::vector<std::pair<int, int>> touched_;
 };

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,25 +16,24 @@ namespace ravnoves {
 namespace {
 
 struct Ink {
-    double red = 0.0;
-    double green = 0.0;
-    double blue = 0.0;
-    double alpha = 0.0;
+    std::array<float, 4> steps;  ///< of blue, green, red and alpha, where it covers all
+    float alpha;
 
     explicit Ink(const QColor& colour)
-        : red(colour.redF()),
-          green(colour.greenF()),
-          blue(colour.blueF()),
+        : steps{255.0F * colour.blueF(), 255.0F * colour.greenF(), 255.0F * colour.redF(), 255.0F},
           alpha(colour.alphaF()) {}
 };
 
 /// Line over ground, each covering part of a pixel; premultiplied.
 QRgb over(const Ink& line, double lineCover, const Ink& ground, double groundCover) {
-    const double top = line.alpha * lineCover;
-    const double under = ground.alpha * groundCover * (1.0 - top);
-    const auto part = [&](double a, double b) { return pixelStep(a * top + b * under); };
-    return qRgba(part(line.red, ground.red), part(line.green, ground.green),
-                 part(line.blue, ground.blue), pixelStep(top + under));
+    const float top = line.alpha * static_cast<float>(lineCover);
+    const float under = ground.alpha * static_cast<float>(groundCover) * (1.0F - top);
+    QRgb pixel = 0;
+    for (std::size_t i = 0; i < line.steps.size(); ++i) {
+        const float step = line.steps[i] * top + ground.steps[i] * under;
+        pixel |= static_cast<QRgb>(step + 0.5F) << (8 * i);
+    }
+    return pixel;
 }
 
 /// A convex polygon grown by a radius, in pixels of the device: of one corner a disc, of two a bar
@@ -61,6 +61,10 @@ class RoundedPolygon {
 
     /// How far a place is outside the edge; less than nothing inside.
     double distance(const QPointF& place) const {
+        if (isDisc()) {
+            const QPointF from = place - sides_.front().from;
+            return std::sqrt(QPointF::dotProduct(from, from)) - radius_;
+        }
         double outside = -infinite;
         double along = 0.0;
         double length = 0.0;
@@ -73,24 +77,29 @@ class RoundedPolygon {
                 length = side.length;
             }
         }
-        if (outside < 0.0 || radius_ == 0.0 || (along > 0.0 && along < length)) {
-            return outside - radius_;
-        }
-        double nearest = infinite;  // corner, squared
-        for (const Side& side : sides_) {
-            const QPointF from = place - side.from;
-            nearest = std::min(nearest, QPointF::dotProduct(from, from));
-        }
-        return std::sqrt(nearest) - radius_;
+        // Where several sides are seen, the corner is an end of that which is farthest.
+        const double beyond = std::max({0.0, -along, along - length});
+        return (outside < 0.0 || radius_ == 0.0 || beyond == 0.0
+                    ? outside
+                    : std::sqrt(outside * outside + beyond * beyond)) -
+               radius_;
     }
     const QRectF& box() const { return box_; }
+    /// Where the distance is the row's alone: nearer than `reach` there is an upper or lower edge
+    /// only. Of a block; the first is the greater of anything else.
+    std::pair<double, double> level(double reach) const {
+        const bool isBlock =
+            sides_.size() == 4 && sides_[0].along.y() == 0.0 && sides_[1].along.x() == 0.0;
+        const double aside = isBlock ? radius_ + reach : infinite;
+        return {box_.left() + aside, box_.right() - aside};
+    }
     /// Where a row is no farther outside than a distance, and perhaps somewhat more; inside, for a
     /// distance less than nothing, perhaps somewhat less. From, to; the first is the greater where
     /// there is nothing.
     std::pair<double, double> row(double y, double distance) const {
         constexpr double flat = 1e-9;
         const double grown = radius_ + distance;
-        if (sides_.front().length == 0.0) {  // a disc
+        if (isDisc()) {
             const QPointF& middle = sides_.front().from;
             const double up = y - middle.y();
             const double wide = std::sqrt(std::max(0.0, grown * grown - up * up));
@@ -125,6 +134,8 @@ class RoundedPolygon {
         QPointF along;
         double length;
     };
+    bool isDisc() const { return sides_.front().length == 0.0; }
+
     static constexpr double infinite = std::numeric_limits<double>::infinity();
 
     double radius_;
@@ -150,7 +161,7 @@ void paint(QPainter& painter, const QPolygonF& corners, double radius) {
     const Ink line(painter.pen().color());
     const Ink ground(painter.brush().color());
     const double half = hasLine ? 0.5 * std::max(1.0, painter.pen().widthF() * scale) : 0.0;
-    const double reach = half + 1.0;
+    const double reach = half + 0.5;
     PaintedPixels painted(painter, shape.box().adjusted(-reach, -reach, reach, reach));
     const QRgb inside = over(line, 0.0, ground, isFilled ? 1.0 : 0.0);
     const QPoint corner = painted.corner();
@@ -164,30 +175,33 @@ void paint(QPainter& painter, const QPolygonF& corners, double radius) {
         auto* pixels =
             reinterpret_cast<QRgb*>(painted.picture().scanLine(row - corner.y())) - corner.x();
         const double y = row + 0.5;
+        const auto inkAt = [&](int column) {
+            const double away = shape.distance({column + 0.5, y});
+            const double onLine = hasLine ? std::clamp(half + 0.5 - std::abs(away), 0.0, 1.0) : 0.0;
+            const double onGround = isFilled ? std::clamp(0.5 - away, 0.0, 1.0) : 0.0;
+            return over(line, onLine, ground, onGround);
+        };
         const auto draw = [&](int begin, int end) {
             for (int column = begin; column < end; ++column) {
-                const double away = shape.distance({column + 0.5, y});
-                const double onLine =
-                    hasLine ? std::clamp(half + 0.5 - std::abs(away), 0.0, 1.0) : 0.0;
-                const double onGround = isFilled ? std::clamp(0.5 - away, 0.0, 1.0) : 0.0;
-                if (onLine > 0.0 || onGround > 0.0) {
-                    pixels[column] = laidOver(over(line, onLine, ground, onGround), pixels[column]);
-                }
+                pixels[column] = laidOver(inkAt(column), pixels[column]);
             }
         };
         const auto touched = shape.row(y, reach);
-        const auto clear = shape.row(y, -reach);  // nothing of the edge is nearer
+        auto even = shape.row(y, -reach);  // nothing of the edge is nearer
         const int last = columnAt(touched.second);
-        const int clearFirst = std::min(columnAt(clear.first), last);
-        const int clearLast = std::clamp(columnAt(clear.second), clearFirst, last);
-        draw(columnAt(touched.first), clearFirst);
-        if (qAlpha(inside) == 255) {
-            std::fill(pixels + clearFirst, pixels + clearLast, inside);
-        } else if (qAlpha(inside) > 0) {
-            std::transform(pixels + clearFirst, pixels + clearLast, pixels + clearFirst,
-                           [inside](QRgb below) { return laidOver(inside, below); });
+        const bool isEdge = columnAt(even.first) >= columnAt(even.second);
+        even = isEdge ? shape.level(reach) : even;
+        const int evenFirst = std::min(columnAt(even.first), last);
+        const int evenLast = std::clamp(columnAt(even.second), evenFirst, last);
+        const QRgb ink = isEdge ? inkAt(evenFirst) : inside;
+        draw(columnAt(touched.first), evenFirst);
+        if (qAlpha(ink) == 255) {
+            std::fill(pixels + evenFirst, pixels + evenLast, ink);
+        } else if (qAlpha(ink) > 0) {
+            std::transform(pixels + evenFirst, pixels + evenLast, pixels + evenFirst,
+                           [ink](QRgb below) { return laidOver(ink, below); });
         }
-        draw(clearLast, last);
+        draw(evenLast, last);
     }
 }
 

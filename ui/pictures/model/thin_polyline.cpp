@@ -11,9 +11,16 @@ QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance) {
     }
     std::vector<char> keep(points.size(), 0);
     keep.front() = 1;
-    keep.back() = 1;
-    std::size_t kept = 2;
-    std::vector<std::pair<std::size_t, std::size_t>> spans{{0, points.size() - 1}};
+    std::size_t kept = 1;
+    // In pieces: halving the whole line would look at each point as often as that takes.
+    constexpr std::size_t piece = 48;
+    std::vector<std::pair<std::size_t, std::size_t>> spans;
+    for (std::size_t first = 0; first + 1 < points.size(); first += piece) {
+        const std::size_t last = std::min(first + piece, points.size() - 1);
+        spans.emplace_back(first, last);
+        keep[last] = 1;
+        ++kept;
+    }
     while (!spans.empty()) {
         const auto [first, last] = spans.back();
         spans.pop_back();
