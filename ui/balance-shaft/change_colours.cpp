@@ -17,14 +17,6 @@ namespace ravnoves {
 
 namespace {
 
-QColor mixedColour(const QColor& from, const QColor& to, double part) {
-    const auto channel = [&](int a, int b) {
-        return static_cast<int>(std::lround(a + (b - a) * part));
-    };
-    return {channel(from.red(), to.red()), channel(from.green(), to.green()),
-            channel(from.blue(), to.blue())};
-}
-
 /// @param part  from −1, helps most, over 0, no change, to 1, harms most
 QColor changeColour(double part) {
     const bool dark = Theme::instance().isDark();
@@ -35,8 +27,8 @@ QColor changeColour(double part) {
                                  : std::array{QColor(0xfccf9c), QColor(0xc2650f)};
     const auto& ends = part < 0.0 ? help : harm;
     const double size = std::min(std::abs(part), 1.0);
-    return size <= 0.5 ? mixedColour(neutral, ends[0], 0.25 + 1.5 * size)
-                       : mixedColour(ends[0], ends[1], 2.0 * size - 1.0);
+    return size <= 0.5 ? mixed(neutral, ends[0], 0.25 + 1.5 * size)
+                       : mixed(ends[0], ends[1], 2.0 * size - 1.0);
 }
 
 /// Colours of the stretches between the levels.

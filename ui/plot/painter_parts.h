@@ -53,9 +53,7 @@ inline QColor veil(QColor colour, float opacity) {
 
 /// The ground of a label, over whatever is drawn there.
 inline void drawVeil(QPainter& painter, const QRectF& box, float opacity = 0.92F) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(veil(Theme::instance().panel(), opacity));
-    painter.drawRoundedRect(box, 3, 3);
+    painter.fillRect(box.toAlignedRect(), veil(Theme::instance().panel(), opacity));
 }
 
 inline constexpr double besideLabel = 3.0;  ///< of a label's ground left and right of the text

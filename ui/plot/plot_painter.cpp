@@ -54,11 +54,13 @@ PlotTitle::PlotTitle(const QString& title, double width) {
             flags |= Qt::TextWrapAnywhere;  // no place to break it else
         }
     }
-    const double line = std::ceil(QFontMetricsF(Theme::font(Theme::baseSize, true)).height());
-    const QRectF room(0.0, 0.0, std::max(1.0, width), 1e4);
-    height =
-        std::max(line, std::ceil(QFontMetricsF(font).boundingRect(room, flags, title).height()));
     this->width = textWidth(font, title);
+    height = std::ceil(QFontMetricsF(Theme::font(Theme::baseSize, true)).height());
+    if (this->width > width) {
+        const QRectF room(0.0, 0.0, std::max(1.0, width), 1e4);
+        height = std::max(height,
+                          std::ceil(QFontMetricsF(font).boundingRect(room, flags, title).height()));
+    }
 }
 
 PlotPainter::PlotPainter(PlotData& data) : data_(data) {}
@@ -163,8 +165,8 @@ void PlotPainter::paintAxes(QPainter& painter) {
         painter.restore();
     }
     for (const plot::Band& band : data_.bands) {
-        painter.fillRect(shadeOf(band), veil(Theme::instance().colour(band.role),
-                                             static_cast<float>(band.strength)));
+        painter.fillRect(shadeOf(band), mixed(Theme::instance().panel(),
+                                              Theme::instance().colour(band.role), band.strength));
     }
     paintGrid(painter);
     paintAxis(painter, data_.x, Qt::BottomEdge);
@@ -205,11 +207,10 @@ void PlotPainter::paintGrid(QPainter& painter) const {
         strokes.append({area.topRight(), area.bottomRight()});
         addRows(data_.right, area.right(), area.right() + stroke, false);
     }
-    // One after the other: together they would be as large as the chart.
     const auto draw = [&](const QColor& colour, const QList<QLineF>& lines) {
-        painter.setPen(QPen(colour, 1));
         for (const QLineF& line : lines) {
-            paintLine(painter, line.p1(), line.p2());
+            const QPointF half = line.dx() == 0.0 ? QPointF(0.5, 0.0) : QPointF(0.0, 0.5);
+            painter.fillRect(QRectF(line.p1() - half, line.p2() + half), colour);
         }
     };
     // Over a picture the grid gives way.
@@ -275,8 +276,12 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
     }
     constexpr int flags = Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap;
     const QRectF room = shade.adjusted(4, 2, -4, -2);
-    const QRectF used =
-        painter.boundingRect(room, flags, band.text).adjusted(-besideLabel, 0, besideLabel, 0);
+    QRectF used(room.topLeft(), labelSize(font, band.text));
+    used.moveLeft(room.center().x() - used.width() / 2.0);
+    if (used.width() > room.width()) {
+        used =
+            painter.boundingRect(room, flags, band.text).adjusted(-besideLabel, 0, besideLabel, 0);
+    }
     // At the top, or where nothing passes; the curves and values of a full one say more.
     constexpr int heights = 16;
     const double down = std::max(0.0, room.height() - used.height());

@@ -265,8 +265,8 @@ class ProgramStyle : public QProxyStyle {
             const auto seen = outlined(*slider);
             QProxyStyle::drawComplexControl(control, &seen, painter, widget);
         } else if (slider != nullptr && control == CC_ScrollBar) {
-            const auto kept = withLastingPalette(*slider);
-            QProxyStyle::drawComplexControl(control, &kept, painter, widget);
+            drawScrollBar(painter, *slider,
+                          subControlRect(control, slider, SC_ScrollBarSlider, widget));
         } else {
             QProxyStyle::drawComplexControl(control, option, painter, widget);
         }
@@ -291,6 +291,18 @@ class ProgramStyle : public QProxyStyle {
         painter->drawPolygon(QPolygonF{QPointF(-half, -half / 2.0), QPointF(half, -half / 2.0),
                                        QPointF(0.0, half / 2.0)});
         painter->restore();
+    }
+
+    /// Flat and opaque: Fusion's lets what is below shine through, for which Qt wakes threads.
+    static void drawScrollBar(QPainter* painter, const QStyleOptionSlider& bar,
+                              const QRect& handle) {
+        const Theme& theme = Theme::instance();
+        const bool isHeld = bar.state.testFlag(State_MouseOver) || bar.state.testFlag(State_Sunken);
+        const int rim = std::min(bar.rect.width(), bar.rect.height()) / 4;
+        painter->fillRect(bar.rect, bar.palette.color(QPalette::Window));
+        painter->fillRect(bar.orientation == Qt::Vertical ? handle.adjusted(rim, 0, -rim, 0)
+                                                          : handle.adjusted(0, rim, 0, -rim),
+                          isHeld ? theme.mutedText() : theme.fieldBorder(true));
     }
 
     static void drawFocusFrame(QPainter* painter, const QStyleOption* option) {
@@ -448,6 +460,13 @@ double luminance(const QColor& colour) {
 
 }  // namespace
 
+QColor mixed(const QColor& from, const QColor& to, double share) {
+    const auto part = static_cast<float>(share);
+    const auto mix = [part](float a, float b) { return a + part * (b - a); };
+    return QColor::fromRgbF(mix(from.redF(), to.redF()), mix(from.greenF(), to.greenF()),
+                            mix(from.blueF(), to.blueF()));
+}
+
 QColor Theme::readable(const QColor& colour) const {
     constexpr double enough = 4.6;  // WCAG asks for 4.5 of small letters
     const double ground = luminance(panel());
@@ -455,15 +474,11 @@ QColor Theme::readable(const QColor& colour) const {
         const double light = luminance(of);
         return (std::max(light, ground) + 0.05) / (std::min(light, ground) + 0.05);
     };
-    QColor mixed = colour;
-    for (int part = 1; part <= 10 && contrast(mixed) < enough; ++part) {
-        const float share = 0.1F * static_cast<float>(part);
-        const auto mix = [share](float a, float b) { return a + share * (b - a); };
-        mixed = QColor::fromRgbF(mix(colour.redF(), text().redF()),
-                                 mix(colour.greenF(), text().greenF()),
-                                 mix(colour.blueF(), text().blueF()));
+    QColor found = colour;
+    for (int part = 1; part <= 10 && contrast(found) < enough; ++part) {
+        found = mixed(colour, text(), 0.1 * part);
     }
-    return mixed;
+    return found;
 }
 
 void Theme::apply() {

@@ -90,4 +90,8 @@ class Theme : public QObject {
     double desktopScale_ = 1.0;  ///< of the desktop's text
 };
 
+/// A colour between two.
+/// @param share  of the second, 0…1
+QColor mixed(const QColor& from, const QColor& to, double share);
+
 }  // namespace ravnoves

@@ -112,12 +112,8 @@ void drawCentred(QPainter& painter, const QPointF& middle, const QString& text) 
 void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QString& text) {
     QColor ground = Theme::instance().panel();
     ground.setAlphaF(0.86F);
-    const QPen ink = painter.pen();
-    const QRectF letters = painter.boundingRect(room, flags, text);  // none without a pen
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ground);
-    paintBlock(painter, letters.adjusted(-2, 0, 2, 0), 3.0);
-    painter.setPen(ink);
+    const QRectF letters = painter.boundingRect(room, flags, text);
+    painter.fillRect(letters.adjusted(-2, 0, 2, 0).toAlignedRect(), ground);
     painter.drawText(room, flags, text);
 }
 
@@ -134,12 +130,7 @@ QColor brightMetal() {
 }
 
 QColor weightFill(Role role) {
-    constexpr float share = 0.34F;
-    const QColor of = Theme::instance().colour(role);
-    const QColor ground = Theme::instance().panel();
-    const auto mixed = [](float a, float b) { return a + share * (b - a); };
-    return QColor::fromRgbF(mixed(ground.redF(), of.redF()), mixed(ground.greenF(), of.greenF()),
-                            mixed(ground.blueF(), of.blueF()));
+    return mixed(Theme::instance().panel(), Theme::instance().colour(role), 0.34);
 }
 
 }  // namespace ravnoves::drawing
