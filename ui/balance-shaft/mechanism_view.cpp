@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QtMath>
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +15,7 @@
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "text/shown_units.h"
+#include "text/text_width.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 
@@ -55,7 +57,7 @@ std::vector<ArrowName> namesOfArrows(const QSize& size) {
     const QFontMetrics metrics(namesFont());
     QPoint at(margin, size.height() - margin);
     for (ArrowName& name : names) {
-        const int wide = metrics.horizontalAdvance(name.text);
+        const int wide = qCeil(textWidth(namesFont(), name.text));
         if (at.x() > margin && at.x() + wide > size.width() - margin) {
             at = QPoint(margin, at.y() - metrics.height());
         }

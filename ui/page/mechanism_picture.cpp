@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "pictures/figure.h"
-#include "pictures/picture_file.h"
 #include "plot/plot_view.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -36,6 +35,7 @@ MechanismPicture::MechanismPicture(CrankAngle* crank, const QString& name, const
                                    QWidget* parent)
     : QWidget(parent), crank_(crank) {
     makeFigure(this);
+    setAttribute(Qt::WA_OpaquePaintEvent);  // nothing behind it is painted first
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(name);
     setToolTip(hint);
@@ -80,9 +80,7 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
 
 void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    if (drawsForFile(painter, *this)) {
-        painter.fillRect(rect(), Theme::instance().panel());
-    }
+    painter.fillRect(rect(), Theme::instance().panel());
     painter.setRenderHint(QPainter::Antialiasing);
     paintPicture(painter);
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "pictures/figure.h"
 #include "pictures/picture_file.h"
@@ -319,42 +320,60 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         drawChart(painter);
         return;
     }
-    if (chartStale_) {
+    const bool moves = std::exchange(chartStale_, false);
+    if (moves) {
         layoutChart();
-        chartStale_ = false;
+    }
+    // What changes with every step is painted at once; a picture of it would be used once.
+    if (std::exchange(axesStale_, false)) {
+        axesPicture_ = QImage();
+        paintAxes(painter);
+        paintCurves(painter);
         pictureStale_ = true;
+    } else {
+        paintAxesPicture();
+        pictureStale_ = pictureStale_ || moves;
+        if (!moves) {
+            paintCurvesPicture();
+        }
+        if (const double ratio = devicePixelRatioF(); ratio != std::floor(ratio)) {
+            painter.fillRect(rect().adjusted(-1, -1, 1, 1), Theme::instance().panel());
+        }
+        painter.drawImage(0, 0, moves ? axesPicture_ : picture_);
+        if (moves) {
+            paintCurves(painter);
+        }
     }
-    paintAxesPicture();
-    paintCurvesPicture();
-    if (const double ratio = devicePixelRatioF(); ratio != std::floor(ratio)) {
-        painter.fillRect(rect().adjusted(-1, -1, 1, 1), Theme::instance().panel());
-    }
-    painter.drawImage(0, 0, picture_);
     paintMoving(painter);
 }
 
+void PlotView::paintAxes(QPainter& painter) {
+    painter.fillRect(QRectF(rect()), Theme::instance().panel());
+    painter_->paintAxes(painter);
+    paintGround(painter);
+}
+
+void PlotView::paintCurves(QPainter& painter) {
+    painter_->paintCurves(painter);
+    paintOverCurves(painter);
+}
+
 void PlotView::paintAxesPicture() {
-    if (fitPicture(axesPicture_, *this) || axesStale_) {
-        axesPicture_.fill(Theme::instance().panel());
-        QPainter axes(&axesPicture_);
-        painter_->paintAxes(axes);
-        paintGround(axes);
-        axesStale_ = false;
+    if (fitPicture(axesPicture_, *this)) {
+        QPainter painter(&axesPicture_);
+        paintAxes(painter);
         pictureStale_ = true;
     }
 }
 
 void PlotView::paintCurvesPicture() {
-    if (!pictureStale_) {
-        return;
+    if (std::exchange(pictureStale_, false)) {
+        fitPicture(picture_, *this);
+        std::memcpy(picture_.bits(), axesPicture_.constBits(),
+                    static_cast<std::size_t>(axesPicture_.sizeInBytes()));
+        QPainter painter(&picture_);
+        paintCurves(painter);
     }
-    fitPicture(picture_, *this);
-    std::memcpy(picture_.bits(), axesPicture_.constBits(),
-                static_cast<std::size_t>(axesPicture_.sizeInBytes()));
-    QPainter painter(&picture_);
-    painter_->paintCurves(painter);
-    paintOverCurves(painter);
-    pictureStale_ = false;
 }
 
 void PlotView::paintMoving(QPainter& painter) {

@@ -154,9 +154,10 @@ class PlotView : public QWidget {
     void chartChanged();
     void layoutHeader();
     void layoutChart();
-    /// Title, grid and axes, where they have changed.
+    /// Title, grid and axes, with what is behind them.
+    void paintAxes(QPainter& painter);
+    void paintCurves(QPainter& painter);
     void paintAxesPicture();
-    /// These with the curves, likewise.
     void paintCurvesPicture();
     /// What moves, the mark of the focus last.
     void paintMoving(QPainter& painter);

@@ -24,11 +24,8 @@ void PlotView::drawChart(QPainter& painter) {
     if (isSignalConnected(QMetaMethod::fromSignal(&PlotView::cursorMoved))) {
         data_.presentX.reset();
     }
-    painter.fillRect(QRectF(rect()), Theme::instance().panel());
-    painter_->paintAxes(painter);
-    paintGround(painter);
-    painter_->paintCurves(painter);
-    paintOverCurves(painter);
+    paintAxes(painter);
+    paintCurves(painter);
     painter_->paintOverlay(painter);
     paintTop(painter);
     data_.cursorX = cursor;

@@ -12,7 +12,6 @@ namespace ravnoves {
 AnswerLabel::AnswerLabel(QWidget* parent) : QLabel(parent) {
     setWordWrap(true);
     setTextFormat(Qt::PlainText);
-    laidOut_.setTextFormat(Qt::PlainText);
     auto* copy = new QAction(tr("Copy text"), this);
     connect(copy, &QAction::triggered, this, [this] {
         QString lines = text();
@@ -23,15 +22,20 @@ AnswerLabel::AnswerLabel(QWidget* parent) : QLabel(parent) {
 }
 
 const QStaticText& AnswerLabel::laidOut(int width) const {
-    QString lines = text();
-    lines.replace(QLatin1Char('\n'), QChar::LineSeparator);
-    if (laidOut_.text() != lines || laidOut_.textWidth() != width || font_ != font()) {
-        laidOut_.setText(lines);
-        laidOut_.setTextWidth(width);
+    constexpr int maximum = 16;  // widths; a layout asks for some at every step of a window's edge
+    if (text_ != text() || font_ != font() || laidOut_.size() > maximum) {
+        laidOut_.clear();
+        text_ = text();
         font_ = font();
-        laidOut_.prepare({}, font_);
     }
-    return laidOut_;
+    QStaticText& lines = laidOut_[width];
+    if (lines.text().isEmpty()) {
+        lines.setTextFormat(Qt::PlainText);
+        lines.setText(QString(text_).replace(QLatin1Char('\n'), QChar::LineSeparator));
+        lines.setTextWidth(width);
+        lines.prepare({}, font_);
+    }
+    return lines;
 }
 
 int AnswerLabel::heightForWidth(int width) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QMap>
 #include <QStaticText>
 
 namespace ravnoves {
@@ -21,8 +22,9 @@ class AnswerLabel : public QLabel {
   private:
     const QStaticText& laidOut(int width) const;
 
-    mutable QStaticText laidOut_;
-    mutable QFont font_;  ///< of the lines as they were laid out
+    mutable QMap<int, QStaticText> laidOut_;  ///< by width
+    mutable QString text_;                    ///< of the lines as they were laid out
+    mutable QFont font_;
 };
 
 }  // namespace ravnoves

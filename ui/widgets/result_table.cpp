@@ -74,32 +74,39 @@ class ResultDelegate final : public QStyledItemDelegate {
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
-        const int height = ResultTable::plainRowHeight();
-        if (table_->wordWrap() || option.rect.height() < height + smallHeight()) {
+        if (table_->wordWrap()) {
             QStyledItemDelegate::paint(painter, option, index);
             return;
         }
         QStyleOptionViewItem cell = option;
         initStyleOption(&cell, index);
-        const QString text = std::exchange(cell.text, QString());
-        cell.widget->style()->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        QString text = std::exchange(cell.text, QString());
         const bool isSelected = (cell.state & QStyle::State_Selected) != 0;
+        if (isSelected || (cell.state & QStyle::State_HasFocus) != 0) {
+            cell.widget->style()->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        }
         const QColor ink =
             cell.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
         const int side =
             static_cast<int>((cell.displayAlignment & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter);
+        const QStringList below = table_->below(index.row(), index.column());
+        const int height = ResultTable::plainRowHeight();
         QRect line = cell.rect.adjusted(3, 0, -3, 0);
-        line.setHeight(height);
+        if (line.height() >= height + smallHeight()) {
+            line.setHeight(height);
+        }
         painter->save();
         painter->setFont(cell.font);
         painter->setPen(ink);
-        painter->drawText(line, side,
-                          QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width()));
+        if (textWidth(cell.font, text) > line.width()) {
+            text = QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width());
+        }
+        painter->drawText(line, side, text);
         painter->setFont(smallFont());
         painter->setPen(isSelected ? ink : Theme::instance().mutedText());
         line.moveTop(line.top() + height - 3);
         line.setHeight(smallHeight());
-        for (const QString& each : table_->below(index.row(), index.column())) {
+        for (const QString& each : below) {
             painter->drawText(line, side, each);
             line.translate(0, smallHeight());
         }
