@@ -15,7 +15,7 @@ inline Verdict withRejected(Verdict verdict, const SceneModel& model) {
     if (model.hasRejected()) {
         const auto* table = qobject_cast<const TableEditor*>(model.rejectedIn().front());
         const bool isOne = model.rejectedIn().size() == 1 &&
-                           (table == nullptr || !table->trouble().contains(QLatin1Char('\n')));
+                           (table == nullptr || table->table()->rejectedCount() <= 1);
         verdict.severity = std::max(verdict.severity, Severity::warning);
         verdict.text =
             Message(Text{"%1 %2"},

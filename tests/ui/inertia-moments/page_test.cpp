@@ -23,6 +23,7 @@
 #include "page_fixture.h"
 #include "text/message_text.h"
 #include "widgets/form_section.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 namespace {
@@ -324,6 +325,10 @@ TEST_F(InertiaMomentsPageTest, ARejectedCellIsNamedUntilItIsCorrected) {
         }
     }
     EXPECT_TRUE(line->text().isEmpty());
+    // A rejected change of the rows leaves no entry beside that of a cell.
+    EXPECT_FALSE(put(1, Table::KnuckleRadius, "-5"));
+    table->removeRowRange(0, table->rowCount());
+    EXPECT_TRUE(page.findChild<VerdictLine*>()->text().contains(u"value of the red field"_s));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
