@@ -18,10 +18,33 @@ struct RejectedEntries {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::RejectedEntries)
 };
 
-QStringList rejectedOf(const QWidget* part, bool ofResultAlone, const Retold& retold) {
+template <typename Widget>
+Widget* pageOf(Widget* part) {
     while (qobject_cast<const ScenePage*>(part) == nullptr && part->parentWidget() != nullptr) {
         part = part->parentWidget();
     }
+    return part;
+}
+
+/// Brings the page to the front, with the field that was rejected first.
+void showRejected(ScenePage* page) {
+    Q_EMIT page->frontWanted();
+    for (QObject* each : page->model()->rejectedIn()) {
+        auto* field = static_cast<QWidget*>(each);
+        if (page->isAncestorOf(field)) {
+            QStringList tabs;
+            for (const QWidget* at = field; at != page; at = at->parentWidget()) {
+                tabs << at->objectName();
+            }
+            page->showTabs(tabs);
+            field->setFocus();
+            return;
+        }
+    }
+}
+
+QStringList rejectedOf(const QWidget* part, bool ofResultAlone, const Retold& retold) {
+    part = pageOf(part);
     QStringList rejected;
     for (const EntryField* field : part->findChildren<EntryField*>()) {
         if (!field->trouble().isEmpty() && (field->isOfResult() || !ofResultAlone)) {
@@ -60,17 +83,24 @@ QString rejectedWords(const QWidget* part) {
            QStringLiteral("\n\n") + rejected.join(QLatin1Char('\n'));
 }
 
-bool continueWithoutRejected(QWidget* part, const QString& title) {
+bool continueWithoutRejected(QWidget* part, const QString& title, const QString& name) {
     const QString words = rejectedWords(part);
     if (words.isEmpty()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Warning, title, words, QMessageBox::Ignore | QMessageBox::Cancel,
-                    part->window());
+    QMessageBox box(QMessageBox::Warning, title,
+                    name.isEmpty() ? words : name + QStringLiteral("\n\n") + words,
+                    QMessageBox::Ignore | QMessageBox::Cancel, part->window());
     box.button(QMessageBox::Ignore)->setText(RejectedEntries::tr("&Continue without them"));
     box.button(QMessageBox::Cancel)->setText(RejectedEntries::tr("&Stay"));
     box.setDefaultButton(QMessageBox::Cancel);
-    return box.exec() == QMessageBox::Ignore;
+    if (box.exec() == QMessageBox::Ignore) {
+        return true;
+    }
+    if (auto* page = qobject_cast<ScenePage*>(pageOf(part))) {
+        showRejected(page);
+    }
+    return false;
 }
 
 }  // namespace ravnoves

@@ -20,9 +20,11 @@ QStringList rejectedInputs(const QWidget* part, const Retold& retold = {});
 /// The same as a paragraph for a question; empty where nothing is rejected.
 QString rejectedWords(const QWidget* part);
 
-/// Names the rejected entries of that page and that the values before them are used.
+/// Names the rejected entries of that page and that the values before them are used. Where the user
+/// stays, the first of them is shown.
 /// @param title  of the action
+/// @param name   of the case, where the page may be behind another
 /// @return true where there are none, or the user continues without them
-bool continueWithoutRejected(QWidget* part, const QString& title);
+bool continueWithoutRejected(QWidget* part, const QString& title, const QString& name = {});
 
 }  // namespace ravnoves

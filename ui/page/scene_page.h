@@ -56,7 +56,7 @@ class ScenePage : public QWidget {
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
-    /// Another page wants this one in front.
+    /// Another page, or a question about this one, wants it in front.
     void frontWanted();
 
   protected:

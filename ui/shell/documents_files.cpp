@@ -230,10 +230,7 @@ bool Documents::mayClose(OpenDocument& document) {
     const bool hasFile = !document.document->path().isEmpty();
     document.document->disk().check();
     if (!document.document->needsSaving()) {
-        if (!rejectedEntries(document.page).isEmpty()) {
-            bringToFront(document);
-        }
-        return continueWithoutRejected(document.page, tr("Close case"));
+        return continueWithoutRejected(document.page, tr("Close case"), nameOf(document));
     }
     bringToFront(document);
     // A case that came from a file goes back to it.

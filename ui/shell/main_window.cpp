@@ -109,7 +109,7 @@ MainWindow::~MainWindow() {
 
 bool MainWindow::mayRenew(const QString& title) {
     return std::ranges::all_of(documents_->all(), [&](const auto& each) {
-        return continueWithoutRejected(each->page, title);
+        return continueWithoutRejected(each->page, title, documents_->nameOf(*each));
     });
 }
 

@@ -64,6 +64,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
                            QAbstractItemView::AnyKeyPressed);
     view_->setTabKeyNavigation(false);
     view_->installEventFilter(this);
+    setFocusProxy(view_);
     column->addWidget(view_, 1);
     message_ = new TroubleLine(this);
     column->addWidget(message_);

@@ -212,9 +212,9 @@ TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     const QString path = caseWithTable("a");
     ASSERT_EQ(window->openCase(path), QString());
     const std::string before = read_text_file(fsPath(path));
+    reject("backlash_mm", "-5");  // on a tab that is not in front
     reject("crank_radius_mm", "abc");
     reject("speed_rpm", "");
-    reject("backlash_mm", "-5");  // on a tab that is not in front
     QAbstractItemModel* cells = window->currentPage()->findChild<TableEditor*>()->view()->model();
     cells->setData(cells->index(5, 1), QStringLiteral("xyz"));
     answer("Stay");
@@ -257,6 +257,15 @@ TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     EXPECT_EQ(asked.size(), 7);
     EXPECT_TRUE(QFile::exists(file("new.case.json")));
     EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("new.case.json")));
+    // Settings would discard them: the question names the case, which comes to the front.
+    answer("Stay");
+    action(u"Settings"_s)->trigger();
+    ASSERT_EQ(asked.size(), 8);
+    EXPECT_TRUE(asked[7].startsWith(u"engine.case.json\n"_s)) << asked[7].toStdString();
+    EXPECT_EQ(document().path(), path);
+    const auto* first = test::named<NumberField>(*window->currentPage(), "backlash_mm");
+    EXPECT_TRUE(first->isVisible());
+    EXPECT_EQ(window->focusWidget(), first);
 }
 
 TEST_F(SavingTest, WhatCannotBeSavedInItsPlaceIsSavedElsewhere) {
