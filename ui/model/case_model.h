@@ -69,26 +69,6 @@ class CaseModel : public SceneModel {
         return drag(name, [&](Input& input) { setField(input, pointer, value); });
     }
 
-    void editText(const QString& title, const QString& notes) override {
-        State next = state();
-        next.title = title;
-        next.notes = notes;
-        if (title != this->title()) {
-            next.named.reset();
-        }
-        make(textName(), std::move(next));
-    }
-    void changeStudy(const QString& name, const std::string& study) override {
-        State next = state();
-        next.study = study;
-        make(name, std::move(next));
-    }
-    void changeVariants(const QString& name, const Variants& variants) override {
-        State next = state();
-        next.variants = variants;
-        make(name, std::move(next));
-    }
-
     // In case_model_json.h.
     Json inputJson() const override;
     QString takeVariant(int place) override;
@@ -101,12 +81,9 @@ class CaseModel : public SceneModel {
     void showInput(const Json& input) override;
     void loadDefault() override {
         load(newName(), {scene_.defaultInput(),
-                         scene_.defaultTitle(),
-                         {},
+                         {.title = scene_.defaultTitle()},
                          defaultName(),
-                         context().directory,
-                         {},
-                         {}});
+                         context().directory});
     }
 
   protected:
@@ -122,6 +99,14 @@ class CaseModel : public SceneModel {
     static void setField(Input& input, const std::string& pointer, const FieldValue& value) {
         RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
     }
+    void changeTexts(const QString& name, const CaseTexts& texts) override {
+        State next = state();
+        next.texts = texts;
+        if (texts.title != title()) {
+            next.named.reset();
+        }
+        make(name, std::move(next));
+    }
     /// Another case comes in; it is known to be good, but not yet here.
     virtual void aboutToLoad() {}
     /// Input and result are new, and all listeners were notified.
@@ -136,8 +121,7 @@ class CaseModel : public SceneModel {
     /// Begins a history of its own with an input.
     void restart(const Input& input) {
         leaveEditing();
-        setVariants({});
-        setStudy({});
+        setTexts({title(), notes(), {}, {}});
         history()->clear();
         finishDrag();
         apply(Input(input), solve(input));
@@ -152,12 +136,9 @@ class CaseModel : public SceneModel {
     /// What a step of the history brings back.
     struct State {
         Input input;
-        QString title;
-        QString notes;
+        CaseTexts texts;
         std::shared_ptr<const Named> named;
         std::filesystem::path directory;  ///< of the files that the case names
-        Variants variants;
-        std::string study;  ///< JSON text; empty without one
         friend bool operator==(const State&, const State&) = default;
     };
 
@@ -166,9 +147,7 @@ class CaseModel : public SceneModel {
         clear_vector_state();  // painting may have left it in use
         return withinMemory([&] { return scene_.solve(input); });
     }
-    State state() const {
-        return {input_, title(), notes(), named_, context().directory, variantState(), study()};
-    }
+    State state() const { return {input_, texts(), named_, context().directory}; }
     std::shared_ptr<const Named> nameOf(const QString& title, const Input& input) const {
         return std::make_shared<const Named>(Named{title, input});
     }
@@ -192,8 +171,8 @@ class CaseModel : public SceneModel {
     }
     /// The title follows the input, unless it is the user's.
     void retitle(State& next) const {
-        if (named_ && next.title == namedTitle(input_)) {
-            next.title = namedTitle(next.input);
+        if (named_ && next.texts.title == namedTitle(input_)) {
+            next.texts.title = namedTitle(next.input);
         }
     }
     QString change(const QString& name, const std::function<void(Input&)>& mutate,
@@ -203,12 +182,12 @@ class CaseModel : public SceneModel {
                 State next = state();
                 mutate(next.input);
                 if (!title.isEmpty()) {
-                    next.title = title;
+                    next.texts.title = title;
                     next.named = nameOf(title, next.input);
                 } else {
                     retitle(next);
                 }
-                if (!(next.input == input_) || next.title != this->title()) {
+                if (!(next.input == input_) || next.texts.title != this->title()) {
                     Solved solved = solve(next.input);
                     push(name, std::move(next), std::move(solved), merges ? stepOf(name) : -1);
                 }
@@ -230,8 +209,7 @@ class CaseModel : public SceneModel {
     void load(const QString& name, State next) {
         Solved solved = solve(next.input);  // throws before anything changes
         aboutToLoad();
-        if (next.input == input_ && next.title == title() && next.notes == notes() &&
-            next.variants == variantState() && next.study == study()) {
+        if (next.input == input_ && next.texts == texts()) {
             take(next,
                  std::move(solved));  // no step, but a field drops its rejected text
         } else {
@@ -253,14 +231,11 @@ class CaseModel : public SceneModel {
         if (!solved && !(state.input == input_)) {
             solved = solve(state.input);  // what may fail comes before anything changes
         }
-        const bool isRenamed = state.title != title() || state.notes != notes();
+        const bool isRenamed = state.texts.title != title() || state.texts.notes != notes();
         Input input = state.input;
         setContext({state.directory});
         named_ = state.named;
-        setNotes(state.notes);
-        setTitle(state.title);
-        setVariants(state.variants);
-        setStudy(state.study);
+        setTexts(state.texts);
         if (solved) {
             apply(std::move(input), *std::move(solved));
         } else if (isRenamed) {

@@ -41,18 +41,16 @@ void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context
                                 const Json* named) {
     try {
         const Input input = readInput(file.input, file.kept, context);
-        const QString title = QString::fromStdString(file.title);
+        CaseTexts texts = textsOf(file);
         // A preset's title, which its file has as the user's own would be.
         std::shared_ptr<const Named> kept;
         if (named != nullptr) {
             const Input engine = *named == file.input ? input : scene_.read(*named, context);
-            kept = isEngine(input, engine) ? nameOf(title, engine) : nullptr;
-        } else if (title == scene_.defaultTitle() && isEngine(input, scene_.defaultInput())) {
+            kept = isEngine(input, engine) ? nameOf(texts.title, engine) : nullptr;
+        } else if (texts.title == scene_.defaultTitle() && isEngine(input, scene_.defaultInput())) {
             kept = defaultName();
         }
-        load(openName(),
-             {input, title, QString::fromStdString(file.notes), kept, context.directory,
-              variantsOf(file), file.study.is_null() ? std::string() : file.study.dump()});
+        load(openName(), {input, std::move(texts), kept, context.directory});
     } catch (const InputError& error) {
         throw RejectedInput(error, explain(error));
     }

@@ -137,10 +137,10 @@ void SceneModel::forgetRejectedIn(QObject* where) {
 }
 
 CaseFile SceneModel::caseFile() const {
-    CaseFile file{sceneName().toStdString(), title_.toStdString(), inputJson()};
-    file.notes = notes_.toStdString();
+    CaseFile file{sceneName().toStdString(), texts_.title.toStdString(), inputJson()};
+    file.notes = texts_.notes.toStdString();
     file.kept = keptJson();
-    file.study = study_.empty() ? Json() : Json::parse(study_);
+    file.study = texts_.study.empty() ? Json() : Json::parse(texts_.study);
     // What scatters is given, also where it is left to its default.
     if (file.study.is_object() && file.study.contains("vary") && file.study["vary"].is_object()) {
         std::vector<std::string> varied;
@@ -149,11 +149,11 @@ CaseFile SceneModel::caseFile() const {
         }
         giveDefaults(file.input, varied);
     }
-    for (const Variant& variant : variants_.list) {
+    for (const Variant& variant : texts_.variants.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
     }
-    if (variants_.reference >= 0) {
-        file.reference = variants_.list.at(variants_.reference).name.toStdString();
+    if (texts_.variants.reference >= 0) {
+        file.reference = texts_.variants.list.at(texts_.variants.reference).name.toStdString();
     }
     return file;
 }
@@ -181,13 +181,6 @@ QString SceneModel::explain(const InputError& error) const {
     return FieldNames({fields(), describedFields()}).errorText(error);
 }
 
-void SceneModel::setStudy(const std::string& study) {
-    if (study != study_) {
-        study_ = study;
-        Q_EMIT studyChanged();
-    }
-}
-
 void SceneModel::loadCase(const Json& input, const CaseContext& context, const QString& title) {
     loadFile({sceneName().toStdString(), title.toStdString(), input}, context, nullptr);
 }
@@ -196,11 +189,6 @@ void SceneModel::loadInput(const Json& input, const CaseContext& context, const 
     CaseFile file = caseFile();
     file.input = input;
     loadFile(file, context, nullptr);
-}
-
-void SceneModel::editText(const QString& title, const QString& notes) {
-    setTitle(title);
-    setNotes(notes);
 }
 
 bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/) {
@@ -254,8 +242,8 @@ QString SceneModel::titleText(const QString& title) {
 }
 
 void SceneModel::setTitle(const QString& title) {
-    if (title_ != title) {
-        title_ = title;
+    if (texts_.title != title) {
+        texts_.title = title;
         Q_EMIT titleChanged(title);
     }
 }
@@ -263,7 +251,7 @@ void SceneModel::setTitle(const QString& title) {
 void SceneModel::setByKey(const QString& key, const QString& value) {
     if (key == QLatin1String("reference") && hasCaseFile()) {
         QStringList names{QStringLiteral("none")};
-        for (const Variant& variant : variants_.list) {
+        for (const Variant& variant : texts_.variants.list) {
             names << variant.name;
         }
         chooseReference(oneOf(key, value, names) - 1);

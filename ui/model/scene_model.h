@@ -146,23 +146,23 @@ class SceneModel : public QObject {
     void setByKey(const QString& key, const QString& value);
 
     static QString openName() { return tr("Open case"); }
-    QString title() const { return title_; }
+    QString title() const { return texts_.title; }
     /// A title as the user reads it.
     static QString titleText(const QString& title);
-    QString titleShown() const { return titleText(title_); }
+    QString titleShown() const { return titleText(texts_.title); }
     /// What a case without a file is known by before its title: the number of a job's engine.
     virtual QString jobName() const { return {}; }
     void setTitle(const QString& title);
-    QString notes() const { return notes_; }
+    QString notes() const { return texts_.notes; }
     /// Title and notes as the user wants them, as one step of the history.
-    virtual void editText(const QString& title, const QString& notes);
+    void editText(const QString& title, const QString& notes);
     const CaseContext& context() const { return context_; }
 
     // Variants: inputs that are kept beside the present one. A change is one step of the history, a
     // choice of the one shown is no step.
-    const QList<Variant>& variants() const { return variants_.list; }
+    const QList<Variant>& variants() const { return texts_.variants.list; }
     /// Place of the variant that the present input is seen against; −1: none.
-    int reference() const { return variants_.reference; }
+    int reference() const { return texts_.variants.reference; }
     void chooseReference(int place);
     /// Keeps the present input and makes it the reference. A name that is empty or taken gives way
     /// to the next letter.
@@ -182,9 +182,9 @@ class SceneModel : public QObject {
 
     /// The scattered inputs and the watched results: "study" of the case file as JSON text; empty
     /// without one. It may be rejected.
-    const std::string& study() const { return study_; }
+    const std::string& study() const { return texts_.study; }
     /// Another study, as one step of the history.
-    virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
+    void changeStudy(const QString& name, const std::string& study);
 
     /// What the user sweeps, as long as the case is open: the file has no place for it.
     const SweepChoice& sweepChoice() const { return sweepChoice_; }
@@ -268,12 +268,11 @@ class SceneModel : public QObject {
   protected:
     void setContext(const CaseContext& context) { context_ = context; }
     void countSolution() { ++solutions_; }
-    void setStudy(const std::string& study);
-    const Variants& variantState() const { return variants_; }
-    /// Other variants; while they are the same, the reference is kept.
-    void setVariants(const Variants& variants);
-    /// Other variants, as one step of the history.
-    virtual void changeVariants(const QString& /*name*/, const Variants& /*next*/) {}
+    const CaseTexts& texts() const { return texts_; }
+    /// Other ones; while the variants are the same, the reference is kept.
+    void setTexts(const CaseTexts& next);
+    /// The same as one step of the history.
+    virtual void changeTexts(const QString& /*name*/, const CaseTexts& next) { setTexts(next); }
     /// Number of the step that a change of this name belongs to, for InputCommand.
     int stepOf(const QString& name);
     /// The input changes otherwise than by the editing: the next typing is a step of its own.
@@ -288,20 +287,16 @@ class SceneModel : public QObject {
     static int oneOf(const QString& key, const QString& value,
                      std::initializer_list<const char*> words);
     static QString newName() { return tr("New case"); }
-    static QString textName() { return tr("Title and notes"); }
     /// Of an engine that was a preset or an example, and is not any more. In every language the
     /// same, as a file has it; titleText() says it.
     static QString changedTitle(const QString& title) { return title + changedMark; }
     static constexpr QLatin1String changedMark{" (changed)"};
-    void setNotes(const QString& notes) { notes_ = notes; }
 
   private:
+    void changeVariants(const QString& name, const Variants& variants);
     void forgetRejectedIn(QObject* where);
 
-    QString title_;
-    QString notes_;
-    Variants variants_;
-    std::string study_;
+    CaseTexts texts_;
     SweepChoice sweepChoice_;
     int solutions_ = 0;
     int step_ = 0;

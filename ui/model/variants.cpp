@@ -32,7 +32,7 @@ QString nextVariantName(const QList<Variant>& variants) {
 
 }  // namespace
 
-Variants variantsOf(const CaseFile& file) {
+CaseTexts textsOf(const CaseFile& file) {
     Variants variants;
     for (const CaseVariant& variant : file.variants) {
         if (variant.name == file.reference) {
@@ -40,28 +40,54 @@ Variants variantsOf(const CaseFile& file) {
         }
         variants.list.push_back({QString::fromStdString(variant.name), variant.input.dump()});
     }
-    return variants;
+    return {QString::fromStdString(file.title), QString::fromStdString(file.notes), variants,
+            file.study.is_null() ? std::string() : file.study.dump()};
 }
 
-void SceneModel::setVariants(const Variants& variants) {
-    if (variants == variants_) {
-        return;
+void SceneModel::setTexts(const CaseTexts& next) {
+    texts_.notes = next.notes;
+    setTitle(next.title);
+    if (!(next.variants == texts_.variants)) {
+        Variants& variants = texts_.variants = next.variants;
+        variants.reference =
+            std::min(variants.reference, static_cast<int>(variants.list.size()) - 1);
+        Q_EMIT variantsChanged();
     }
-    variants_ = variants;
-    variants_.reference = std::min(variants.reference, static_cast<int>(variants.list.size()) - 1);
-    Q_EMIT variantsChanged();
+    if (next.study != texts_.study) {
+        texts_.study = next.study;
+        Q_EMIT studyChanged();
+    }
+}
+
+void SceneModel::editText(const QString& title, const QString& notes) {
+    CaseTexts next = texts_;
+    next.title = title;
+    next.notes = notes;
+    changeTexts(tr("Title and notes"), next);
+}
+
+void SceneModel::changeStudy(const QString& name, const std::string& study) {
+    CaseTexts next = texts_;
+    next.study = study;
+    changeTexts(name, next);
+}
+
+void SceneModel::changeVariants(const QString& name, const Variants& variants) {
+    CaseTexts next = texts_;
+    next.variants = variants;
+    changeTexts(name, next);
 }
 
 void SceneModel::chooseReference(int place) {
-    place = place >= 0 && place < variants_.list.size() ? place : -1;
-    if (variants_.reference != place) {
-        variants_.reference = place;
+    place = place >= 0 && place < texts_.variants.list.size() ? place : -1;
+    if (texts_.variants.reference != place) {
+        texts_.variants.reference = place;
         Q_EMIT variantsChanged();
     }
 }
 
 void SceneModel::keepVariant(const QString& name) {
-    Variants next = variants_;
+    Variants next = texts_.variants;
     const bool usable = !name.trimmed().isEmpty() && !isTaken(next.list, name.trimmed());
     next.list.push_back({usable ? name.trimmed() : nextVariantName(next.list), inputJson().dump()});
     next.reference = static_cast<int>(next.list.size()) - 1;
@@ -69,7 +95,7 @@ void SceneModel::keepVariant(const QString& name) {
 }
 
 QString SceneModel::renameVariant(int place, const QString& name) {
-    Variants next = variants_;
+    Variants next = texts_.variants;
     const QString trimmed = name.trimmed();
     if (trimmed == next.list.at(place).name) {
         return {};
@@ -86,7 +112,7 @@ QString SceneModel::renameVariant(int place, const QString& name) {
 }
 
 void SceneModel::removeVariant(int place) {
-    Variants next = variants_;
+    Variants next = texts_.variants;
     const QString name = next.list.takeAt(place).name;
     if (next.reference == place) {
         next.reference = -1;
@@ -99,7 +125,7 @@ void SceneModel::removeVariant(int place) {
 QString SceneModel::changedFilesText(int variant) const {
     QStringList names;
     for (const std::string& name :
-         changed_files(parse_json(variants_.list.at(variant).input), context_)) {
+         changed_files(parse_json(texts_.variants.list.at(variant).input), context_)) {
         names << QString::fromStdString(name);
     }
     return names.isEmpty()
@@ -109,7 +135,7 @@ QString SceneModel::changedFilesText(int variant) const {
 }
 
 Json SceneModel::variantInput(int place) const {
-    return parse_json(variants_.list.at(place).input);
+    return parse_json(texts_.variants.list.at(place).input);
 }
 
 }  // namespace ravnoves

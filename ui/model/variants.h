@@ -23,7 +23,15 @@ struct Variants {
     friend bool operator==(const Variants& a, const Variants& b) { return a.list == b.list; }
 };
 
-/// The variants of a case.
-Variants variantsOf(const CaseFile& file);
+/// What a case has beside its input.
+struct CaseTexts {
+    QString title = {};
+    QString notes = {};
+    Variants variants = {};
+    std::string study = {};  ///< JSON text; empty without one
+    friend bool operator==(const CaseTexts&, const CaseTexts&) = default;
+};
+
+CaseTexts textsOf(const CaseFile& file);
 
 }  // namespace ravnoves

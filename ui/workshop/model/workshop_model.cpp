@@ -682,14 +682,13 @@ void WorkshopModel::takeJob(const CaseFile& file, bool isCopy) {
     carried_ = isCopy ? std::optional(next) : std::nullopt;
     otherForm_.reset();
     lastV_.reset();
-    editText(QString::fromStdString(file.title),
-             isCopy ? QString() : QString::fromStdString(file.notes));
+    const CaseTexts texts = textsOf(file);
+    editText(texts.title, isCopy ? QString() : texts.notes);
     // Undo must not bring another job's values under this job's number.
     isLoading_ = true;
     restart(next);
     if (!isCopy) {
-        setVariants(variantsOf(file));
-        setStudy(file.study.is_null() ? std::string() : file.study.dump());
+        setTexts(texts);
     }
 }
 
