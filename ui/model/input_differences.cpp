@@ -89,7 +89,9 @@ QString wordText(const Json& value, const FieldEntry* entry) {
     }
     const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
     const QString choice = entry != nullptr ? choiceText(entry->field, word) : QString();
-    return !choice.isEmpty() ? choice : word == "solve" ? keyInWords(word) : caseText(word);
+    return !choice.isEmpty()                         ? choice
+           : entry != nullptr && entry->word == word ? keyInWords(word)
+                                                     : caseText(word);
 }
 
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference) {
