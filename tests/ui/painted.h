@@ -14,7 +14,7 @@ struct PaintedText {
     QString text;
     QRectF ink;
     bool isCut = false;  ///< by the clipping that it is painted with
-    int pixelSize = 0;
+    int pixelSize = 0;   ///< as it is scaled
 };
 
 struct Painted {
@@ -58,7 +58,8 @@ class Recorder : public QPaintDevice, public QPaintEngine {
                                             tolerance, tolerance, -tolerance, -tolerance));
         if (!ink.isEmpty()) {
             painted_.texts.push_back(
-                {item.text(), painter()->transform().mapRect(ink), isCut, item.font().pixelSize()});
+                {item.text(), painter()->transform().mapRect(ink), isCut,
+                 qRound(item.font().pixelSize() * painter()->transform().m22())});
         }
     }
 
@@ -83,14 +84,18 @@ class Recorder : public QPaintDevice, public QPaintEngine {
     Painted& painted_;
 };
 
+inline Painted painted(const QPicture& picture, const QSize& size) {
+    Painted painted;
+    Recorder recorder(size, painted);
+    QPainter(&recorder).drawPicture(0, 0, picture);
+    return painted;
+}
+
 /// What a widget paints of itself, without its children.
 inline Painted painted(QWidget& widget) {
     QPicture picture;
     widget.render(&picture, QPoint(), QRegion(), QWidget::RenderFlags());
-    Painted painted;
-    Recorder recorder(widget.size(), painted);
-    QPainter(&recorder).drawPicture(0, 0, picture);
-    return painted;
+    return painted(picture, widget.size());
 }
 
 }  // namespace ravnoves::test

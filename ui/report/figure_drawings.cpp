@@ -60,11 +60,20 @@ void layOut(QWidget* picture) {
     }
 }
 
-/// A picture as large as its shape allows, in the middle.
-void drawInRoom(QWidget* picture, QPainter& painter, const QSize& size) {
-    QRectF room(QPointF(), QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
-    room.moveCenter(QRectF(QPointF(), size).center());
-    drawFigure(picture, painter, room);
+/// The picture laid out at a size and drawn at another, as large as its shape allows, in the
+/// middle.
+Drawing drawn(QWidget* picture, const QSize& laidOut, const QSize& size) {
+    return {picture->accessibleName(), picture->accessibleDescription(), size,
+            [picture = QPointer(picture), laidOut, size](QPainter& painter) {
+                if (picture) {
+                    drawAt(picture, laidOut, [&] {
+                        QRectF room(QPointF(),
+                                    QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
+                        room.moveCenter(QRectF(QPointF(), size).center());
+                        drawFigure(picture, painter, room);
+                    });
+                }
+            }};
 }
 
 }  // namespace
@@ -99,24 +108,17 @@ Drawing drawingOf(QWidget* picture) {
     if (!picture->isVisible()) {
         layOut(picture);
     }
-    constexpr double larger = 1.4;  // its letters are those of a window
-    const QSize size = picture->size().scaled(maxOfPicture.boundedTo(larger * picture->size()),
-                                              Qt::KeepAspectRatio);
-    return {picture->accessibleName(), picture->accessibleDescription(), size,
-            [picture = QPointer(picture), size](QPainter& painter) {
-                if (picture) {
-                    drawInRoom(picture, painter, size);  // others may have moved it since
-                }
-            }};
+    // Its letters are those of a window: of 11 pixels, on paper at least 6 pt and at most 12.
+    constexpr double smaller = 0.73;
+    constexpr double larger = 1.4;
+    const QSize own = picture->size();
+    const QSize laidOut = own.scaled((maxOfPicture / smaller).boundedTo(own), Qt::KeepAspectRatio);
+    return drawn(picture, laidOut,
+                 laidOut.scaled(maxOfPicture.boundedTo(larger * laidOut), Qt::KeepAspectRatio));
 }
 
 Drawing drawingOf(QWidget* picture, const QSize& size) {
-    return {picture->accessibleName(), picture->accessibleDescription(), size,
-            [picture = QPointer(picture), size](QPainter& painter) {
-                if (picture) {
-                    drawAt(picture, size, [&] { drawInRoom(picture, painter, size); });
-                }
-            }};
+    return drawn(picture, size, size);
 }
 
 }  // namespace ravnoves

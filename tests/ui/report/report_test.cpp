@@ -23,11 +23,14 @@
 #include "model/background_job.h"
 #include "model/case_document.h"
 #include "page/scene_page.h"
+#include "painted.h"
 #include "paper/paper.h"
+#include "pictures/figure.h"
 #include "pictures/file_dialogs.h"
 #include "plot/plot_view.h"
 #include "processor_time.h"
 #include "report/case_report.h"
+#include "report/figure_drawings.h"
 #include "report/input_tables.h"
 #include "report/report_dialog.h"
 #include "shell/documents.h"
@@ -310,6 +313,28 @@ TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnceAndSaysHowFarItIs) {
     EXPECT_GT(spread, 1);  // on other tabs
     QApplication::processEvents();
     EXPECT_FALSE(page->isBusy());
+}
+
+TEST_F(ReportInWindow, TheLettersOfPicturesAreAtLeastSixPoints) {
+    int letters = 0;
+    for (const QString& scene : {u"balance-shaft"_s, u"elastic-hinge"_s, u"inertia-moments"_s}) {
+        ASSERT_TRUE(window.newCase(scene));
+        for (QWidget* figure : window.currentPage()->findChildren<QWidget*>()) {
+            if (!isFigure(figure) || qobject_cast<PlotView*>(figure) != nullptr) {
+                continue;
+            }
+            const paper::Drawing drawing = drawingOf(figure);
+            QPicture picture;
+            QPainter painter(&picture);
+            drawing.draw(painter);
+            painter.end();
+            for (const test::PaintedText& text : test::painted(picture, drawing.size).texts) {
+                ++letters;
+                EXPECT_GE(text.pixelSize, 8) << qPrintable(text.text + u" of "_s + drawing.caption);
+            }
+        }
+    }
+    EXPECT_GT(letters, 10);
 }
 
 TEST_F(ReportInWindow, RejectsWhatCannotBeWrittenAndLeavesNothing) {
