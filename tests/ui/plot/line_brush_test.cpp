@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 
+#include "difference.h"
 #include "events.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
@@ -39,38 +40,6 @@ double inkOf(const QImage& image) {
         }
     }
     return ink;
-}
-
-/// The mean difference of the pixels that differ from white in either, of 255 shades.
-double meanDifference(const QImage& a, const QImage& b) {
-    double sum = 0.0;
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const int one = qGray(a.pixel(x, y));
-            const int other = qGray(b.pixel(x, y));
-            if (one < 255 || other < 255) {
-                sum += std::abs(one - other);
-                ++count;
-            }
-        }
-    }
-    return count > 0 ? sum / count : 0.0;
-}
-
-/// Of any channel of any pixel.
-int maxDifference(const QImage& a, const QImage& b) {
-    int maximum = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QColor one = a.pixelColor(x, y);
-            const QColor two = b.pixelColor(x, y);
-            maximum =
-                std::max({maximum, std::abs(one.red() - two.red()),
-                          std::abs(one.green() - two.green()), std::abs(one.blue() - two.blue())});
-        }
-    }
-    return maximum;
 }
 
 /// By a painter, with so many pixels to a unit of the paper.
@@ -184,9 +153,9 @@ TEST(LineBrush, LinesOfSeveralPensAreThoseOfEach) {
             paintLines(painter, {each});
         }
     });
-    EXPECT_LE(maxDifference(together, apart), 2);
+    EXPECT_LE(test::differenceOf(together, apart).most, 2);
     EXPECT_GT(together.pixelColor(120, 75).blue(), 60);  // the last one over the red one
-    EXPECT_GT(meanDifference(together, paper()), 20.0);
+    EXPECT_GT(test::differenceOf(together, paper()).mean(), 20.0);
 }
 
 /// A shape as it is painted here and by Qt, with how far the two may differ.
@@ -286,7 +255,8 @@ TEST(PaintShapes, LookAsQtsDo) {
         for (const double scale : {1.0, 1.5, 2.0}) {
             const QImage ours = onPaper(each.pen, each.brush, each.ours, scale);
             const QImage qts = onPaper(each.pen, each.brush, each.qts, scale);
-            EXPECT_LT(meanDifference(qts, ours), each.difference) << each.name << ' ' << scale;
+            EXPECT_LT(test::differenceOf(qts, ours).mean(), each.difference)
+                << each.name << ' ' << scale;
             EXPECT_LE(std::abs(inkOf(ours) - inkOf(qts)), each.ink * inkOf(qts))
                 << each.name << ' ' << scale;
         }
@@ -329,7 +299,7 @@ TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
             };
             const QImage onto = painted(false);
             const QImage layer = painted(true);
-            EXPECT_LE(maxDifference(onto, layer), 2) << scale << ' ' << alpha;
+            EXPECT_LE(test::differenceOf(onto, layer).most, 2) << scale << ' ' << alpha;
         }
     }
 }
@@ -366,7 +336,7 @@ TEST(PaintShapes, OfAWidgetStayWhereItIsPaintedAgain) {
             .convertToFormat(QImage::Format_RGB32);
     };
     QImage before = shown();
-    EXPECT_LE(maxDifference(before.copy(sheet.geometry()), sheet.alone()), 2);
+    EXPECT_LE(test::differenceOf(before.copy(sheet.geometry()), sheet.alone()).most, 2);
     for (const QRegion& part :
          {QRegion(40, 30, 100, 70), QRegion(10, 90, 60, 50) + QRegion(150, 10, 60, 90)}) {
         sheet.ink = sheet.ink == Qt::blue ? Qt::red : Qt::darkGreen;
@@ -376,7 +346,7 @@ TEST(PaintShapes, OfAWidgetStayWhereItIsPaintedAgain) {
         painter.setClipRegion(part);
         painter.drawImage(0, 0, sheet.alone());
         painter.end();
-        EXPECT_LE(maxDifference(shown(), before), 2);
+        EXPECT_LE(test::differenceOf(shown(), before).most, 2);
     }
 }
 
@@ -384,7 +354,8 @@ TEST(LineBrush, FarBeyondThePictureTheDashesGoOn) {
     // The same dashes in sight, whether the line begins 6 or 6·10⁶ pixels before it.
     const double far = 6e6;
     const QImage near = byBrush({{-6, 60}, {300, 60}}, 1.0, Qt::DashLine);
-    EXPECT_LT(meanDifference(byBrush({{-far, 60}, {far, 60}}, 1.0, Qt::DashLine), near), 1.0);
+    EXPECT_LT(test::differenceOf(byBrush({{-far, 60}, {far, 60}}, 1.0, Qt::DashLine), near).mean(),
+              1.0);
     EXPECT_NEAR(inkOf(near), 240.0 * 4 / 6, 4.0);
     EXPECT_EQ(byBrush({{1e300, 1e300}, {3e300, 1e300}}, 1.6, Qt::DashLine), paper());
     EXPECT_EQ(byBrush({{-20, -20}, {-20, 300}}, 1.6, Qt::DashLine), paper());

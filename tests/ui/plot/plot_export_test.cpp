@@ -18,6 +18,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "difference.h"
 #include "events.h"
 #include "files.h"
 #include "pictures/figure.h"
@@ -289,16 +290,7 @@ TEST_F(PlotExportTest, InAnEnlargedPictureOfItsPageAPlotIsSharp) {
         QPainter direct(&own);
         plot.renderTo(direct, QRectF(QPointF(), QSizeF(own.size())));
     }
-    const auto difference = [&](const QImage& a, const QImage& b) {
-        double sum = 0.0;
-        for (int y = 0; y < a.height(); ++y) {
-            for (int x = 0; x < a.width(); ++x) {
-                sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
-            }
-        }
-        return sum / (a.width() * a.height());
-    };
-    EXPECT_LT(difference(ofPage, own), 0.2 * difference(blown, own));
+    EXPECT_LT(test::differenceOf(ofPage, own).grey, 0.2 * test::differenceOf(blown, own).grey);
 }
 
 }  // namespace

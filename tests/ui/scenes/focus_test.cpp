@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QSet>
-#include <algorithm>
 #include <tuple>
 
+#include "difference.h"
 #include "events.h"
 #include "page/scene_page.h"
 #include "scene_tests.h"
@@ -34,23 +34,6 @@ class FocusOnPage : public ::testing::TestWithParam<std::tuple<std::string, Them
         constexpr int rim = 4;
         const QRect place(widget->mapTo(widget->window(), QPoint()), widget->size());
         return widget->window()->grab(place.adjusted(-rim, -rim, rim, rim)).toImage();
-    }
-    /// Pixels that an eye tells apart; a text cursor has some thirty.
-    static int differing(const QImage& one, const QImage& other) {
-        constexpr int seen = 50;  // of 255, the three colours' sum
-        int count = 0;
-        for (int y = 0; y < std::min(one.height(), other.height()); ++y) {
-            for (int x = 0; x < std::min(one.width(), other.width()); ++x) {
-                const QRgb a = one.pixel(x, y);
-                const QRgb b = other.pixel(x, y);
-                count += std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) +
-                                     std::abs(qBlue(a) - qBlue(b)) >=
-                                 seen
-                             ? 1
-                             : 0;
-            }
-        }
-        return count;
     }
     static std::string describe(const QWidget* widget) {
         QString text = QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') +
@@ -85,7 +68,7 @@ TEST_P(FocusOnPage, IsSeenAtEveryStopAndComesRound) {
         const QImage without = around(stop);
         stop->setFocus(Qt::TabFocusReason);
         constexpr int frame = 60;
-        EXPECT_GE(differing(with, without), frame)
+        EXPECT_GE(test::differenceOf(with, without).seen, frame)
             << "the focus is hardly seen on " << describe(stop);
     }
     EXPECT_GT(stops.size(), 5) << names;
