@@ -105,6 +105,7 @@ TEST_F(Settings, LanguageChangesAtOnceAndThePageGoesOn) {
 
     EXPECT_EQ(currentLanguage(), u"ru"_s);
     EXPECT_EQ(window.menuBar()->actions().constFirst()->text().remove(u'&'), u"Файл"_s);
+    EXPECT_TRUE(window.windowTitle().contains(u" (изменено)[*]"_s));
     EXPECT_EQ(window.currentScene(), u"elastic-hinge"_s);
     EXPECT_EQ(window.currentPage()->model(), model);
     EXPECT_EQ(model->inputJson(), before);
