@@ -1,9 +1,12 @@
 #include "elastic-hinge/results.h"
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "case-file/decimal.h"
 #include "elastic-hinge/motion.h"
@@ -318,23 +321,27 @@ Verdict guide_verdict(const Input& input, const Guide& guide, const ResultField&
 
 Verdict verdict(const Input& input, const Result& result) {
     const Guide& guide = result.crank_guide;
-    Verdict verdict = guide_verdict(input, guide, key::guide);
+    std::vector<Verdict> guides{guide_verdict(input, guide, key::guide)};
+    if (guide.feasible && designs_rod_hinge(input)) {
+        for (const auto& [beside, name] :
+             {std::pair(&result.crank_guide_with_rod, key::guide_beside_rod_hinge),
+              std::pair(&result.rod_guide, key::rod_hinge_guide)}) {
+            if (Verdict of = guide_verdict(input, *beside, name); of.severity != Severity::good) {
+                of.act = {};  // it is for the crank's guide
+                guides.push_back(of);
+            }
+        }
+        std::ranges::stable_sort(guides, std::greater<>(), &Verdict::severity);
+    }
+    Verdict verdict = guides.front();
+    for (auto next = guides.begin() + 1; next != guides.end(); ++next) {
+        verdict.warn(next->text);
+    }
     for (const Message& note : result.notes) {
         verdict.warn(note);
     }
     if (!guide.feasible) {
         return verdict;
-    }
-    if (designs_rod_hinge(input)) {
-        for (const auto& [beside, name] :
-             {std::pair(&result.crank_guide_with_rod, key::guide_beside_rod_hinge),
-              std::pair(&result.rod_guide, key::rod_hinge_guide)}) {
-            const Verdict of = guide_verdict(input, *beside, name);
-            if (of.severity != Severity::good) {
-                verdict.warn(of.text);
-                verdict.severity = std::max(verdict.severity, of.severity);
-            }
-        }
     }
     if (input.guide_sign == GuideSign::as_printed) {
         verdict.warn(
