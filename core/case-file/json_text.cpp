@@ -103,7 +103,7 @@ class JsonWriter {
                                 is_plain ? std::chars_format::fixed : std::chars_format::scientific)
                       .ptr;
         }
-        text_.append(begin, end);
+        text_.append(begin, static_cast<std::size_t>(end - begin));
     }
 
     static constexpr std::string_view indent = "  ";

@@ -46,7 +46,8 @@ class BranchScan {
     /// @param minimum, maximum  radius of the path, m
     /// @param step  of the grid, rad
     BranchSummary finish(double minimum, double maximum, double step) {
-        for (std::size_t each = 0; each < measures; ++each) {
+        // Without a roller the path is the profile.
+        for (std::size_t each = 0; each < (roller_ > 0.0 ? measures : lowest); ++each) {
             maxima_[each].sharpen(
                 [&](double phi) { return measure(shape_.at(branch_, phi))[each]; }, step);
         }

@@ -48,39 +48,46 @@ void compare_kinematics(const Input& input, const Design& design, Result& result
     const auto moment_of = [&](const RodAngle<double>& rod, double s, double c) {
         return rod_hinge_moment(design.mechanism(), design.static_moment(), s, c, rod);
     };
+    const auto difference = [&](const RodHingeMoment<double>& a, const RodHingeMoment<double>& b) {
+        // At φ or at −φ, whichever is worse.
+        return std::abs(a.weight - b.weight) + omega * omega * std::abs(a.inertia - b.inertia);
+    };
     const auto errors = [&](double phi) {
         const double s = std::sin(phi);
         const double c = std::cos(phi);
         const auto series = rod_angle_series(lambda, s, c);
         const auto rod = rod_angle_exact(lambda, s, c);
-        const auto a = moment_of(series, s, c);
-        const auto b = moment_of(rod, s, c);
-        // At φ or at −φ, whichever is worse.
-        return std::pair(
-            std::abs(series.cos_psi - rod.cos_psi),
-            std::abs(a.weight - b.weight) + omega * omega * std::abs(a.inertia - b.inertia));
+        return std::pair(std::abs(series.cos_psi - rod.cos_psi),
+                         difference(moment_of(series, s, c), moment_of(rod, s, c)));
     };
+    const bool has_exact = design.has_exact_kinematics();
+    const std::size_t n = grid.size();
+    result.other_rod_hinge_moment.resize(has_exact ? n : 0);
     Maximum cosine_error;
     Maximum moment_error;
-    for (std::size_t i = 0; 2 * i < grid.size(); ++i) {
-        const auto [cosine, moment] = errors(grid.angle[i]);
-        cosine_error.take(cosine, grid.angle[i]);
-        moment_error.take(moment, grid.angle[i]);
+    for (std::size_t i = 0; 2 * i < n; ++i) {
+        const double s = grid.sin_phi[i];
+        const double c = grid.cos_phi[i];
+        const AngleState& state = design.states()[i];
+        const auto series = rod_angle_series(lambda, s, c);
+        const double cos_psi = has_exact ? state.exact.cos_psi : std::abs(c);
+        cosine_error.take(std::abs(series.cos_psi - cos_psi), grid.angle[i]);
+        if (has_exact) {
+            const auto other =
+                moment_of(input.kinematics == Kinematics::exact ? series : state.exact, s, c);
+            moment_error.take(difference(other, state.moment), grid.angle[i]);
+            // Of −φ the weight's part is the same, the inertia's the opposite.
+            result.other_rod_hinge_moment[n - 1 - i] = other.weight - omega * omega * other.inertia;
+            result.other_rod_hinge_moment[i] = other.value(omega);
+        }
     }
     cosine_error.sharpen([&](double phi) { return errors(phi).first; }, grid.angle[1]);
     result.series_error = cosine_error.value;
     result.series_error_angle = cosine_error.place;
-    if (!design.has_exact_kinematics()) {
-        return;
-    }
-    moment_error.sharpen([&](double phi) { return errors(phi).second; }, grid.angle[1]);
-    result.series_moment_error = moment_error.value;
-    const bool exact = input.kinematics == Kinematics::exact;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        const double s = grid.sin_phi[i];
-        const double c = grid.cos_phi[i];
-        const auto other = exact ? rod_angle_series(lambda, s, c) : rod_angle_exact(lambda, s, c);
-        result.other_rod_hinge_moment.push_back(moment_of(other, s, c).value(omega));
+    if (has_exact) {
+        moment_error.value = errors(moment_error.place).second;
+        moment_error.sharpen([&](double phi) { return errors(phi).second; }, grid.angle[1]);
+        result.series_moment_error = moment_error.value;
     }
 }
 
