@@ -11003,8 +11003,20 @@ but at this l no α is feasible</source>
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>Relief of the guide</source>
-        <translation>Перепад направляющей</translation>
+        <source>crank, for M</source>
+        <translation>кривошип, для M</translation>
+    </message>
+    <message>
+        <source>crank, for M₁</source>
+        <translation>кривошип, для M₁</translation>
+    </message>
+    <message>
+        <source>rod, for M₁₂</source>
+        <translation>шатун, для M₁₂</translation>
+    </message>
+    <message>
+        <source>Relief (%1)</source>
+        <translation>Перепад (%1)</translation>
     </message>
     <message>
         <source>Spring travel</source>
@@ -11492,18 +11504,6 @@ but at this l no α is feasible</source>
         <translation>Направляющая для цеха</translation>
     </message>
     <message>
-        <source>crank, for M</source>
-        <translation>кривошип, для M</translation>
-    </message>
-    <message>
-        <source>crank, for M₁</source>
-        <translation>кривошип, для M₁</translation>
-    </message>
-    <message>
-        <source>rod, for M₁₂</source>
-        <translation>шатун, для M₁₂</translation>
-    </message>
-    <message>
         <source>&amp;Hinge</source>
         <translation>&amp;Шарнир</translation>
     </message>
@@ -11688,6 +11688,10 @@ but at this l no α is feasible</source>
         <translation>замедление × %1</translation>
     </message>
     <message>
+        <source>crank&apos;s guide, to scale</source>
+        <translation>направляющая кривошипа, в масштабе</translation>
+    </message>
+    <message>
         <source>ω = %1</source>
         <translation>ω = %1</translation>
     </message>
@@ -11839,12 +11843,12 @@ but at this l no α is feasible</source>
         <translation>вне расчёта</translation>
     </message>
     <message>
-        <source>Guides, to scale</source>
-        <translation>Направляющие в масштабе</translation>
+        <source>Guides (%1), to scale</source>
+        <translation>Направляющие (%1), в масштабе</translation>
     </message>
     <message>
-        <source>Guides, relief × %1</source>
-        <translation>Направляющие, перепад × %1</translation>
+        <source>Guides (%1), relief × %2</source>
+        <translation>Направляющие (%1), перепад × %2</translation>
     </message>
     <message>
         <source>profile</source>
@@ -11928,18 +11932,6 @@ but at this l no α is feasible</source>
     <message>
         <source>&amp;Guides</source>
         <translation>&amp;Направляющие</translation>
-    </message>
-    <message>
-        <source>crank, for M</source>
-        <translation>кривошип, для M</translation>
-    </message>
-    <message>
-        <source>crank, for M₁</source>
-        <translation>кривошип, для M₁</translation>
-    </message>
-    <message>
-        <source>rod, for M₁₂</source>
-        <translation>шатун, для M₁₂</translation>
     </message>
     <message>
         <source>Guide shown</source>

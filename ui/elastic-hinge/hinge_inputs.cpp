@@ -201,8 +201,7 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     column()->setSpacing(Theme::space);
     section(tr("Guide for the machine shop"));
     choice(
-        QStringLiteral("export_hinge"), tr("&Hinge"),
-        {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")},
+        QStringLiteral("export_hinge"), tr("&Hinge"), ElasticHingeModel::hingeNames(),
         tr("Hinge whose guide is written"), [&chosen] { return static_cast<int>(chosen.hinge); },
         [this, &chosen](int index) {
             chosen.hinge = static_cast<Hinge>(index);

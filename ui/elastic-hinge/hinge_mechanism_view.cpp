@@ -22,6 +22,7 @@ namespace ravnoves {
 using elastic_hinge::Branch;
 using elastic_hinge::Guide;
 using elastic_hinge::GuidePoint;
+using elastic_hinge::Hinge;
 using elastic_hinge::MechanismPose;
 using elastic_hinge::Motion;
 
@@ -55,11 +56,17 @@ double shownRoller(double radius, double startRadius) {
     return std::max(radius, 0.045 * startRadius);
 }
 
+/// The crank's: the one shown, or the one beside the rod's.
+const Guide& crankGuide(const ElasticHingeModel& model) {
+    return model.shownHinge() == Hinge::rod ? model.result().crank_guide_with_rod
+                                            : model.shownGuide();
+}
+
 /// The guide under one end of the spring, or the other end with `second`; its relief enlarged by
 /// `factor`. Empty without one.
 std::vector<QPolygonF> track(const ElasticHingeModel& model, const drawing::Frame& map, double phi,
                              double factor, bool second) {
-    const Guide& guide = model.result().crank_guide;
+    const Guide& guide = crankGuide(model);
     std::vector<QPolygonF> stretches;
     if (!guide.shape) {
         return stretches;
@@ -128,13 +135,13 @@ void HingeMechanismView::turnTo(double degrees) {
 
 drawing::Frame HingeMechanismView::frame() const {
     const auto& mechanism = model_->result().design->mechanism();
-    const Guide& guide = model_->result().crank_guide;
+    const Guide& guide = crankGuide(*model_);
     const double r = mechanism.crank_radius;
     double ring = r;
     if (guide.shape) {
         // Room for the relief as it is drawn.
         const double start = guide.shape->spring().start_radius(guide.branch);
-        const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
+        const double rise = guide.feasible ? reliefFactor() * guide.relief : 0.0;
         ring = std::max(r, start + rise + model_->input().roller_radius);
     }
     const double block = 0.5 * r;
@@ -154,14 +161,14 @@ drawing::Frame HingeMechanismView::frame() const {
 }
 
 double HingeMechanismView::reliefFactor() const {
-    return model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
+    return model_->shownHinge() != Hinge::rod ? model_->exaggeration() : 1.0;
 }
 
 void HingeMechanismView::paintPicture(QPainter& painter) {
     const Theme& theme = Theme::instance();
     const auto& result = model_->result();
     const auto& mechanism = result.design->mechanism();
-    const Guide& guide = result.crank_guide;
+    const Guide& guide = crankGuide(*model_);
     const double phi = model_->crank()->degrees() * degree;
     const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
     const drawing::Frame map = frame();
@@ -282,11 +289,12 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
                      tr("φ = %1°").arg(QLocale().toString(model_->crank()->degrees(), 'f', 0)));
     painter.drawText(inside, Qt::AlignTop | Qt::AlignRight,
                      tr("ω = %1").arg(shownNumber(model_->shownSpeed(), units::rad_per_s, 2)));
-    if (model_->shownHinge() == elastic_hinge::Hinge::crank && guide.feasible &&
-        model_->exaggeration() > 1.0) {
+    const bool isOther = guide.hinge != model_->shownHinge();
+    if (guide.feasible && (isOther || reliefFactor() > 1.0)) {
         drawing::drawWithHalo(
             painter, inside, Qt::AlignBottom | Qt::AlignLeft,
-            tr("relief × %1").arg(formNumber(model_->exaggeration(), QLocale(), 6)));
+            isOther ? tr("crank's guide, to scale")
+                    : tr("relief × %1").arg(formNumber(reliefFactor(), QLocale(), 6)));
     }
     if (isPlaying() && model_->animatedMotion() != nullptr) {
         const double times = rounded_to_digits(1.0 / slowness(), 2);

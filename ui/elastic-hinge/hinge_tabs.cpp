@@ -94,7 +94,7 @@ void HingeTabs::buildGuideBar(QHBoxLayout* bar) {
     QHBoxLayout* row = addPart(0);
     hingeChoice_ = new QComboBox(this);
     hingeChoice_->setObjectName(QStringLiteral("guide_shown"));
-    hingeChoice_->addItems({tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")});
+    hingeChoice_->addItems(ElasticHingeModel::hingeNames());
     hingeChoice_->setAccessibleName(tr("Guide shown"));
     hingeChoice_->setToolTip(
         tr("Hinge between frame and crank alone (M), or with the rod's hinge (M₁), or "

@@ -190,6 +190,23 @@ TEST(ElasticHingeModel, ExaggerationIsChosenByTheRelief) {
     EXPECT_EQ(model.exaggeration(), 1.0);
 }
 
+TEST(ElasticHingeModel, TheTableIsOfTheGuideThatIsShown) {
+    ElasticHingeModel model;
+    model.edit(QStringLiteral("c"), [](auto& input) {
+        input.spring->stiffness = 3e5;
+        input.rod_hinge_spring = elastic_hinge::Spring{2e5, 0.2, 0.08};
+    });
+    for (const Hinge hinge : {Hinge::rod, Hinge::crank_with_rod, Hinge::crank}) {
+        model.setShownHinge(hinge);
+        const ResultRow relief = model.quantities().rows.front();
+        EXPECT_TRUE(relief[0].text.contains(model.shownHingeName()))
+            << relief[0].text.toStdString();
+        ASSERT_NE(relief[1].number(), nullptr);
+        EXPECT_DOUBLE_EQ(relief[1].number()->value, model.guideOf(hinge).relief * 1e3);
+        EXPECT_TRUE(std::get<Figure>(model.part("guides")).title.contains(model.shownHingeName()));
+    }
+}
+
 TEST(ElasticHingeModel, TablesHoldNoEmptyCellsWhateverTheInput) {
     ElasticHingeModel model;
     const auto check = [&] {

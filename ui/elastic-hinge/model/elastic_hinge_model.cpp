@@ -186,6 +186,10 @@ double ElasticHingeModel::shownSpeed() const {
                                             : input().angular_speed;
 }
 
+QStringList ElasticHingeModel::hingeNames() {
+    return {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")};
+}
+
 void ElasticHingeModel::setShownHinge(Hinge hinge) {
     if (hinge != shownHinge_) {
         shownHinge_ = hinge;
@@ -309,7 +313,7 @@ void ElasticHingeModel::takeMinimumPreload() {
 
 Results ElasticHingeModel::quantities() const {
     const ResultCell none(QStringLiteral("–"));
-    const Guide& guide = result().crank_guide;
+    const Guide& guide = shownGuide();
     const bool there = guide.feasible;
     const auto when = [&](bool shown, const ResultCell& cell) { return shown ? cell : none; };
     const auto row = [&](const QString& name, const ResultCell& cell, const Unit& unit,
@@ -343,7 +347,7 @@ Results ElasticHingeModel::quantities() const {
     };
     Results results{{tr("Quantity"), tr("Value"), tr("Unit")}};
     results.rows = {
-        length(tr("Relief of the guide"), guide.relief, 4,
+        length(tr("Relief (%1)").arg(shownHingeName()), guide.relief, 4,
                tr("Maximum minus minimum radius of the guide")),
         row(tr("Preload min / present"),
             when(guide.shape != nullptr,

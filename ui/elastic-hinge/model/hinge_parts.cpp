@@ -53,9 +53,10 @@ QString pointText(const ElasticHingeModel& model, Branch branch, std::size_t poi
 Figure guides(const ElasticHingeModel& model) {
     const double factor = model.exaggeration();
     Figure figure;
-    figure.title =
-        factor == 1.0 ? HingePlots::tr("Guides, to scale")
-                      : HingePlots::tr("Guides, relief × %1").arg(formNumber(factor, QLocale(), 6));
+    figure.title = factor == 1.0
+                       ? HingePlots::tr("Guides (%1), to scale").arg(model.shownHingeName())
+                       : HingePlots::tr("Guides (%1), relief × %2")
+                             .arg(model.shownHingeName(), formNumber(factor, QLocale(), 6));
     figure.left = {.title = HingePlots::tr("y, mm")};
     figure.equalScale = true;
     const GuidePicture drawn(model.shownGuide(), factor);
