@@ -43,6 +43,7 @@ const std::array changes{
     Change{Preferences::Torque, System::Imperial, units::N_m, units::lb_ft, 0},
     Change{Preferences::Force, System::Imperial, units::newton, units::pound_force, 1},
     Change{Preferences::Force, System::Imperial, units::kN, units::pound_force, -2},
+    Change{Preferences::Force, System::Own, units::N_per_m, units::kN_per_m, 3},
     Change{Preferences::Force, System::Imperial, units::N_per_m, units::lbf_per_inch, 2},
     Change{Preferences::Force, System::Imperial, units::kN_per_m, units::lbf_per_inch, 0},
     Change{Preferences::Speed, System::RadPerSecond, units::rpm, units::rad_per_s, 1},

@@ -79,6 +79,14 @@ TEST_F(ElasticHingePageTest, WithoutASpringWhatIsTypedGivesOneAlsoWhereItIsWhatI
     EXPECT_NE(stiffness->palette().color(QPalette::Text), Theme::instance().mutedText());
 }
 
+TEST_F(ElasticHingePageTest, BothStiffnessesHaveOneUnit) {
+    press("own_rod_spring");
+    NumberField* stiffness = field("rod_hinge_stiffness_N_m");
+    EXPECT_EQ(stiffness->unit(), field("stiffness_kN_m")->unit());
+    type("rod_hinge_stiffness_N_m", QStringLiteral("300"));
+    EXPECT_DOUBLE_EQ(model->input().rod_hinge_spring->stiffness, 3e5);
+}
+
 TEST_F(ElasticHingePageTest, ACaseBeyondTheSlidersWidensThem) {
     model->setByKey(QStringLiteral("angular_speed_rad_s"), QStringLiteral("5000"));
     EXPECT_EQ(field("angular_speed_rad_s")->value(), 5000.0);

@@ -251,7 +251,7 @@ TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
     EXPECT_EQ(name("inertia-moments", "/exact/order_2/moment_Nm/forward/amplitude"),
               u"Exact, order 2, moment, forward part, amplitude, N·m"_s);
     EXPECT_EQ(name("elastic-hinge", "/guide/minimum_stiffness_N_m"),
-              u"Crank guide, Minimum stiffness, N/m"_s);
+              u"Crank guide, Minimum stiffness, kN/m"_s);
     // What only another case has is named from then on.
     const auto shop = test::makePage("workshop");
     const StudyModel study(shop->model());
