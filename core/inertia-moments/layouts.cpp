@@ -48,8 +48,7 @@ constexpr std::array<LayoutSpec, 20> library{{
 
 /// The number of stations along the crank.
 int station_count(Arrangement arrangement, int cylinders) {
-    const bool paired = arrangement == v || arrangement == double_vr;
-    return paired ? (cylinders + 1) / 2 : cylinders;
+    return has_paired_banks(arrangement) ? (cylinders + 1) / 2 : cylinders;
 }
 
 /// What a layout has from the library; "vr" of any number of cylinders has it from the VR5.
@@ -91,9 +90,15 @@ int cylinder_count(const Layout& layout) {
     return layout.name == "vr" ? layout.cylinders : spec_of(layout).cylinders;
 }
 
+bool has_paired_banks(Arrangement arrangement) {
+    return arrangement == v || arrangement == double_vr;
+}
+
 double centred_position(const Layout& layout) {
-    const int stations = station_count(arrangement_of(layout), cylinder_count(layout));
-    const double length = layout.spacing * (stations - 1) + layout.stagger;
+    const Arrangement arrangement = arrangement_of(layout);
+    const int stations = station_count(arrangement, cylinder_count(layout));
+    const double length =
+        layout.spacing * (stations - 1) + (has_paired_banks(arrangement) ? layout.stagger : 0.0);
     return rounded(length / 2.0, field::first_position, 12);
 }
 
@@ -117,7 +122,7 @@ std::vector<Cylinder> make_cylinders(const Input& input) {
         const double row = blocks ? (station % 2 == 0 ? 1.0 : -1.0) : 0.0;
         Cylinder& cylinder = cylinders.emplace_back();
         cylinder.axial_position = first - station * layout.spacing;
-        if (arrangement != vr) {
+        if (has_paired_banks(arrangement)) {
             cylinder.axial_position -= bank * layout.stagger;
         }
         cylinder.bank_angle = tilt * layout.bank_angle / 2.0 + row * w_inner_angle / 2.0;

@@ -52,6 +52,9 @@ double centred_position(const Layout& layout);
 Arrangement arrangement_of(const Layout& layout);
 int cylinder_count(const Layout& layout);
 
+/// Whether two banks share the stations of the crank; else the stagger has no effect.
+bool has_paired_banks(Arrangement arrangement);
+
 /// The cylinders of the input's layout. "vr": odd cylinders in bank 1 (positive angle and offset),
 /// crankpins for even firing over the cycle.
 /// @param input  its layout is checked: known name, firing order a permutation

@@ -37,6 +37,12 @@ void add_doubts(const Input& input, Result& result) {
                        "unit."),
               in_mm(gyration), in_mm(length));
     }
+    if (input.layout && input.layout->stagger != 0.0 &&
+        !has_paired_banks(arrangement_of(*input.layout))) {
+        result.notes.emplace_back(
+            Text::tr("The stagger of %1 has no effect: no throw has cylinders of two banks."),
+            in_mm(input.layout->stagger));
+    }
     const auto count = static_cast<double>(engine.cylinders.size());
     const auto [rear, front] = extent(engine.cylinders);
     double spacing = (front - rear) / std::max(count - 1.0, 1.0);

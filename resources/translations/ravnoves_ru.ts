@@ -6561,6 +6561,10 @@
         <translation>Центр масс шатуна в %1 от нижней головки — вне шатуна длиной %2: проверьте.</translation>
     </message>
     <message>
+        <source>The stagger of %1 has no effect: no throw has cylinders of two banks.</source>
+        <translation>Смещение рядов %1 не действует: ни на одном колене нет цилиндров двух рядов.</translation>
+    </message>
+    <message>
         <source>The rod&apos;s inertia is implausible: radius of gyration %1, rod %2. Check its unit.</source>
         <translation>Момент инерции шатуна неправдоподобен: радиус инерции %1, шатун %2. Проверьте единицу.</translation>
     </message>
@@ -11273,8 +11277,12 @@ but at this l no α is feasible</source>
         <translation>Кривошипно-шатунный механизм</translation>
     </message>
     <message>
-        <source>φ at TDC</source>
-        <translation>φ в ВМТ</translation>
+        <source>φ at TDC, cylinder 1</source>
+        <translation>φ в ВМТ, цилиндр 1</translation>
+    </message>
+    <message>
+        <source>No effect: no throw of this layout has cylinders of two banks.</source>
+        <translation>Не действует: в этой схеме ни на одном колене нет цилиндров двух рядов.</translation>
     </message>
     <message>
         <source>Top dead centre: arcsin(λK/(1 + λ)), from the cylinder&apos;s axis on the side of its offset. Volkswagen VR5: 3°20′.</source>
@@ -12551,7 +12559,7 @@ but at this l no α is feasible</source>
     </message>
     <message>
         <source>Front web</source>
-        <translation>Передняя щека</translation>
+        <translation>Перед. щека</translation>
     </message>
     <message>
         <source>Rear web</source>

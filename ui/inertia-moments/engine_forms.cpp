@@ -56,24 +56,31 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     choice("/strokes");
     FormSection* sizes = section({});
     number("/layout/spacing_mm");
-    number("/layout/stagger_mm");
+    NumberField* stagger = number("/layout/stagger_mm");
     NumberField* first = number("/layout/first_position_mm");
 
     section(tr("Crank gear"));
     number("/crank_radius_mm");
     addRodLength();
     QLabel* deadCentre = current()->addResult(
-        tr("φ at TDC"), tr("Top dead centre: arcsin(λK/(1 + λ)), from the cylinder's axis on the "
-                           "side of its offset. Volkswagen VR5: 3°20′."));
+        tr("φ at TDC, cylinder 1"),
+        tr("Top dead centre: arcsin(λK/(1 + λ)), from the cylinder's axis on the "
+           "side of its offset. Volkswagen VR5: 3°20′."));
     number("/reciprocating_mass_kg");
     addRotatingMass();
     addRod();
     column()->addStretch();
-    follow([this, sizes, deadCentre, first] {
+    follow([this, sizes, deadCentre, first, stagger] {
         showLayout();
         first->setPlaceholderText(
             shownFigures(model_->result().engine.cylinders.front().axial_position, units::mm, 6));
         sizes->setVisible(model_->input().layout.has_value());
+        const bool isStaggered = model_->canBeStaggered();
+        // One that has no effect can still be removed.
+        stagger->setEnabled(isStaggered || stagger->value().value_or(0.0) != 0.0);
+        stagger->setHint(
+            isStaggered ? fieldHint(field::stagger)
+                        : tr("No effect: no throw of this layout has cylinders of two banks."));
         const QLocale locale;
         const auto& engine = model_->result().engine;
         deadCentre->setText(fixedNumber(engine.top_dead_centre(0) / degree, 3, locale) +

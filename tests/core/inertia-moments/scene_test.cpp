@@ -172,6 +172,15 @@ TEST(CaseIo, ALayoutOfTheLibraryStaysCentred) {
             }
         }
     }
+    // One bank has no stagger: what is given has no effect, and a note says so.
+    json["layout"] = {{"type", "library"}, {"name", "i4"}, {"spacing_mm", 80}};
+    const Result plain = solve(read_input(json));
+    json["layout"]["stagger_mm"] = 20;
+    const Result staggered = solve(read_input(json));
+    EXPECT_EQ(staggered.engine.cylinders, plain.engine.cylinders);
+    ASSERT_EQ(staggered.notes.size(), plain.notes.size() + 1);
+    EXPECT_EQ(staggered.notes.back().english().find("The stagger of 20"), 0U)
+        << staggered.notes.back().english();
     // A position that is given stays, and one that only repeats the middle does not.
     json["layout"] = {{"type", "library"}, {"name", "i4"}, {"spacing_mm", 80}};
     json["layout"]["first_position_mm"] = 150;

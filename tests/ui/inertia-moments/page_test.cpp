@@ -73,11 +73,22 @@ TEST_F(InertiaMomentsPageTest, SlidersThatMeanNothingAreOff) {
     model->chooseLayout(QStringLiteral("i4"));
     EXPECT_FALSE(find<QSlider>("bank_angle_deg_slider")->isEnabled());
     EXPECT_TRUE(find<QSlider>("offset_mm_slider")->isEnabled());
+    EXPECT_FALSE(field("stagger_mm")->isEnabled());
+    EXPECT_TRUE(field("stagger_mm")->toolTip().contains(QStringLiteral("No effect")));
+    // One from a file can be removed.
+    model->setByKey(QStringLiteral("layout/stagger_mm"), QStringLiteral("20"));
+    ASSERT_TRUE(field("stagger_mm")->isEnabled());
+    type("stagger_mm", QStringLiteral("0"));
+    EXPECT_FALSE(field("stagger_mm")->isEnabled());
     model->chooseLayout(QStringLiteral("table"));
     EXPECT_FALSE(find<QSlider>("offset_mm_slider")->isEnabled());
     EXPECT_FALSE(field("spacing_mm")->isVisible());
     model->chooseLayout(QStringLiteral("vr6"));
     EXPECT_TRUE(find<QSlider>("bank_angle_deg_slider")->isEnabled());
+    EXPECT_FALSE(field("stagger_mm")->isEnabled());
+    model->chooseLayout(QStringLiteral("v6-90"));
+    EXPECT_TRUE(field("stagger_mm")->isEnabled());
+    EXPECT_FALSE(field("stagger_mm")->toolTip().contains(QStringLiteral("No effect")));
 }
 
 TEST_F(InertiaMomentsPageTest, LayoutsAreChosenFromTheList) {

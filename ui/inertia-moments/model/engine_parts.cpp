@@ -386,7 +386,7 @@ Figure roll(const InertiaMomentsModel& model) {
 Notes deadCentre(const InertiaMomentsModel& model) {
     const double angle = model.result().engine.top_dead_centre(0) / degree;
     return Notes::of(Severity::note,
-                     QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC") +
+                     QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC, cylinder 1") +
                          QStringLiteral(": %1°").arg(fixedNumber(angle, 3, QLocale())));
 }
 

@@ -285,6 +285,11 @@ bool InertiaMomentsModel::canChangeBankAngle() const {
                                  inertia_moments::Arrangement::in_line;
 }
 
+bool InertiaMomentsModel::canBeStaggered() const {
+    return input().layout &&
+           inertia_moments::has_paired_banks(inertia_moments::arrangement_of(*input().layout));
+}
+
 double InertiaMomentsModel::offsetMm() const {
     if (input().layout) {
         return from_si(field::layout_offset, input().layout->offset);

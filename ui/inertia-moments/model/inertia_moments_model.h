@@ -96,6 +96,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     double bankAngleDeg() const;      ///< between the outermost banks
     bool canChangeBankAngle() const;  ///< in a layout of banks; a table is edited cell by cell
+    bool canBeStaggered() const;      ///< in a layout whose banks share throws
     double offsetMm() const;          ///< of a table: the largest
     /// Offsets at which the mechanism does not lock, rounded inwards to 0.1 mm.
     std::pair<double, double> offsetLimitsMm() const;
