@@ -16239,6 +16239,10 @@ but at this l no α is feasible</source>
         <translation>Допуски</translation>
     </message>
     <message>
+        <source>Half of the range from 5 % to 95 % of %1 samples of the uncertain dead centre of the trace; both sides where they differ.</source>
+        <translation>Половина диапазона от 5 % до 95 % по %1 пробам неточной мёртвой точки диаграммы; обе стороны, если они различаются.</translation>
+    </message>
+    <message>
         <source>Inputs and their tolerances</source>
         <translation>Исходные данные и допуски</translation>
     </message>

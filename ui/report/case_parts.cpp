@@ -200,6 +200,10 @@ CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, do
             groups);
         PageGroup& words = part.tab.empty() ? answer : group;
         const PartSpread* spread = bands != nullptr ? bands->spreadOf(part.id) : nullptr;
+        if (spread != nullptr && model.study().empty() && !said.contains(spread->how)) {
+            said.insert(spread->how);  // else the section of the tolerances says what ± is
+            answer.words += paragraph(spread->how.toHtmlEscaped(), Tone::Muted);
+        }
         const Content content = model.part(part.id);
         if (const auto* notes = std::get_if<Notes>(&content)) {
             for (const auto& [severity, line] : notes->lines) {

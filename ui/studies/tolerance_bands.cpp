@@ -12,6 +12,7 @@
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
+#include "scenes/scenes.h"
 #include "studies/model/part_numbers.h"
 #include "studies/model/scattered_inputs.h"
 #include "studies/model/study_model.h"
@@ -94,7 +95,9 @@ bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool ToleranceBands::isWanted() const {
-    return !study_.vary.empty() && study_.method != studies::Method::grid && areShown();
+    // Of a trace the dead centre is uncertain by itself.
+    return (!study_.vary.empty() || !page_->model()->fields(open_input).empty()) &&
+           study_.method != studies::Method::grid && areShown();
 }
 
 studies::Study ToleranceBands::readStudy() const {
@@ -160,10 +163,6 @@ void ToleranceBands::begin() {
             laws.push_back(law);
         }
     }
-    if (laws.empty()) {
-        clear(false);
-        return;
-    }
     std::vector<std::string_view> ids;
     if (isOfAll_) {
         for (const PagePart& part : model.parts()) {
@@ -195,6 +194,9 @@ void ToleranceBands::begin() {
             places.emplace_back(phase->pointer);
             laws.push_back(studies::law_of(*phase, 0.0));
         }
+        if (laws.empty()) {
+            return [this] { clear(false); };
+        }
         const auto samples = samplesOf(laws, study.method, study.seed);
         Json& input = file.input;
         for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -211,10 +213,14 @@ void ToleranceBands::begin() {
             }
             numbers->add(*own);
         }
-        QString how = tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both "
-                         "sides where they differ.")
+        const bool isTyped = laws.size() > (phase ? 1 : 0);
+        QString how = (isTyped ? tr("Half of the range from 5 % to 95 % of %1 samples of the "
+                                    "tolerances; both sides where they differ.")
+                               : tr("Half of the range from 5 % to 95 % of %1 samples of the "
+                                    "uncertain dead centre of the trace; both sides where they "
+                                    "differ."))
                           .arg(numbers->samples());
-        if (phase) {
+        if (phase && isTyped) {
             how += QLatin1Char(' ') + tr("Includes the uncertain dead centre of the trace.");
         }
         return [this, solved = numbers->samples(), spreads = numbers->spreads(how)] {

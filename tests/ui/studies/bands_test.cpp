@@ -266,6 +266,8 @@ TEST_F(Bands, IncludeThePhaseThatATraceLeavesOpen) {
     EXPECT_EQ(byItself, found()) << "as if it had been typed";
     vary[phase->pointer] = {{"plus_minus", 1e-6}};
     EXPECT_NE(byItself, found()) << "what is typed is in its place";
+    vary = Json::object();
+    EXPECT_EQ(found().filter(u"±"_s).isEmpty(), false) << "without a tolerance too";
 }
 
 /// Of a rod as long as its crank there is no exact kinematics to compare with: its curve is empty.
