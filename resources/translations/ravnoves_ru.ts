@@ -11688,16 +11688,16 @@ but at this l no α is feasible</source>
         <translation>φ = %1°</translation>
     </message>
     <message>
+        <source>crank&apos;s guide, to scale</source>
+        <translation>направляющая кривошипа, в масштабе</translation>
+    </message>
+    <message>
         <source>relief × %1</source>
         <translation>перепад × %1</translation>
     </message>
     <message>
         <source>%1 times slower</source>
         <translation>замедление × %1</translation>
-    </message>
-    <message>
-        <source>crank&apos;s guide, to scale</source>
-        <translation>направляющая кривошипа, в масштабе</translation>
     </message>
     <message>
         <source>ω = %1</source>
@@ -16178,6 +16178,18 @@ but at this l no α is feasible</source>
         <translation>Ни одно значение не даёт 95 % допустимых проб.</translation>
     </message>
     <message>
+        <source>Rejected samples: %1.</source>
+        <translation>Не принято проб: %1.</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>не принято</translation>
+    </message>
+    <message>
+        <source>share of the samples, %</source>
+        <translation>доля проб, %</translation>
+    </message>
+    <message>
         <source>feasible, %</source>
         <translation>допустимо, %</translation>
     </message>
@@ -16228,6 +16240,10 @@ but at this l no α is feasible</source>
         <translation>Половина диапазона от 5 % до 95 % по %1 пробам допусков; обе стороны, если они различаются.</translation>
     </message>
     <message>
+        <source>Half of the range from 5 % to 95 % of %1 samples of the uncertain dead centre of the trace; both sides where they differ.</source>
+        <translation>Половина диапазона от 5 % до 95 % по %1 пробам неточной мёртвой точки диаграммы; обе стороны, если они различаются.</translation>
+    </message>
+    <message>
         <source>Includes the uncertain dead centre of the trace.</source>
         <translation>Учтена и неточность мёртвой точки диаграммы.</translation>
     </message>
@@ -16237,10 +16253,6 @@ but at this l no α is feasible</source>
     <message>
         <source>Tolerances</source>
         <translation>Допуски</translation>
-    </message>
-    <message>
-        <source>Half of the range from 5 % to 95 % of %1 samples of the uncertain dead centre of the trace; both sides where they differ.</source>
-        <translation>Половина диапазона от 5 % до 95 % по %1 пробам неточной мёртвой точки диаграммы; обе стороны, если они различаются.</translation>
     </message>
     <message>
         <source>Inputs and their tolerances</source>

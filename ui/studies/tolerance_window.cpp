@@ -73,7 +73,6 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     // Over the window of the page, however large that is.
     setWindowFlags(Qt::Dialog | Qt::WindowTitleHint | Qt::WindowSystemMenuHint |
                    Qt::WindowMinMaxButtonsHint | Qt::WindowCloseButtonHint);
-    setWindowTitle(tr("Tolerances"));
     setObjectName(QStringLiteral("tolerances"));
     constexpr QSize roomy(1120, 680);
     const QScreen* on = parent != nullptr ? parent->screen() : screen();
@@ -97,6 +96,8 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     connect(&Theme::instance(), &Theme::changed, this, &ToleranceWindow::showAnswers);
     addKeys();
     connect(page, &QObject::destroyed, this, &QWidget::close);
+    connect(model_->scene(), &SceneModel::titleChanged, this, &ToleranceWindow::showTitle);
+    showTitle();
     showStudy();
     showAnswers();
 }
@@ -364,6 +365,12 @@ void ToleranceWindow::watch(const std::string& pointer) {
             view->model()->index(static_cast<int>(at - watch.begin()), WatchTable::Minimum));
     }
     view->setFocus();
+}
+
+void ToleranceWindow::showTitle() {
+    const QString title = model_->scene()->titleShown();
+    setWindowTitle(title.isEmpty() ? tr("Tolerances")
+                                   : tr("Tolerances") + QStringLiteral(" – ") + title);
 }
 
 void ToleranceWindow::showStudy() {

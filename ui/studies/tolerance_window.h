@@ -52,6 +52,7 @@ class ToleranceWindow : public QDialog {
     void addKeys();
     /// Watches a result, and moves to its limits.
     void watch(const std::string& pointer);
+    void showTitle();
     void showStudy();
     void showAnswers();
     void showFound();

@@ -781,6 +781,30 @@ TEST_F(Tolerances, TheRobustAngleIsTheLowestOfTheSweepThatCanBeBuilt) {
     scene().undo();
 }
 
+TEST_F(Tolerances, RejectedSamplesOfASweepAreNotCalledInfeasible) {
+    scatter("/reciprocating_masses_kg/piston", u"150 %"_s);  // a mass below 0 is no input
+    watch("/moment_amplitude_Nm");
+    const Sweep sweep = done(this->sweep(u"/shaft_angle_deg"_s));
+    ASSERT_TRUE(sweep.best);
+    for (const Sweep::Place& place : sweep.places) {
+        ASSERT_NEAR(place.rejected, 1.0 / 6.0, 0.02);
+        ASSERT_LE(place.built, 1.0 - place.rejected);
+    }
+    const auto plots = the<SweepView>()->findChildren<PlotView*>();
+    const PlotCurve& rejected = plots.at(1)->data().curves.at(1);
+    EXPECT_EQ(rejected.style.name, u"rejected"_s);
+    EXPECT_DOUBLE_EQ(rejected.y.front(), 100.0 * sweep.places.front().rejected);
+    const auto labels = the<SweepView>()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        labels, [](const QLabel* each) { return each->text().contains(u"Rejected samples: "_s); }));
+}
+
+TEST_F(Tolerances, TheWindowNamesItsCase) {
+    EXPECT_TRUE(tolerances->windowTitle().endsWith(scene().titleShown()));
+    scene().editText(u"Another engine"_s, QString());
+    EXPECT_EQ(tolerances->windowTitle(), u"Tolerances – Another engine"_s);
+}
+
 TEST_F(Tolerances, AnEmptyWindowOffersTheNextStep) {
     auto* next = test::named<QPushButton>(*tolerances, "next_step");
     ASSERT_TRUE(next->isVisible());

@@ -58,6 +58,10 @@ QString bestText(const StudyModel& study, const Sweep& sweep) {
     if (sweep.best->x == sweep.places.front().x || sweep.best->x == sweep.places.back().x) {
         best += QLatin1Char(' ') + SweepWords::tr("This is an end of the range.");
     }
+    if (sweep.best->rejected > 0.0) {
+        best += QLatin1Char(' ') +
+                SweepWords::tr("Rejected samples: %1.").arg(percentText(sweep.best->rejected));
+    }
     return sweep.best->built < Sweep::minBuilt ? few + QLatin1Char(' ') + best : best;
 }
 
@@ -77,14 +81,21 @@ std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
     Figure::Curve& mean = result.add(
         "mean", {.name = SweepWords::tr("mean"), .role = Role::Value, .width = 2.0}, {}, {});
     plot::Spread spread;
-    Figure share{.left = {SweepWords::tr("feasible, %")}, .leftRange = std::pair(0.0, 100.0)};
-    Figure::Curve& built = share.add(
-        "feasible",
-        {.name = SweepWords::tr("feasible"), .role = Role::OtherQuantity, .inLegend = false}, {},
-        {});
+    const bool areRejected = std::ranges::any_of(
+        sweep.places, [](const Sweep::Place& place) { return place.rejected > 0.0; });
+    Figure share{.left = {areRejected ? SweepWords::tr("share of the samples, %")
+                                      : SweepWords::tr("feasible, %")},
+                 .leftRange = std::pair(0.0, 100.0)};
+    Figure::Curve built{.id = "feasible",
+                        .style = {.name = SweepWords::tr("feasible"),
+                                  .role = Role::OtherQuantity,
+                                  .inLegend = areRejected}};
+    Figure::Curve rejected{.id = "rejected",
+                           .style = {.name = SweepWords::tr("rejected"), .role = Role::Forbidden}};
     for (const Sweep::Place& place : sweep.places) {
         built.x.push_back(input.factor * place.x);
         built.y.push_back(100.0 * place.built);
+        rejected.y.push_back(100.0 * place.rejected);
         if (std::isfinite(place.mean)) {
             mean.x.push_back(built.x.back());
             mean.y.push_back(place.mean);
@@ -119,6 +130,11 @@ std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
     addLimits(result, study, sweep.result, Qt::Horizontal);
     if (std::ranges::all_of(built.y, [](double percent) { return percent > 99.9; })) {
         return {result};
+    }
+    share.curves.push_back(built);
+    if (areRejected) {
+        rejected.x = built.x;
+        share.curves.push_back(rejected);
     }
     result.x.title.clear();  // it is below the other
     return {result, share};

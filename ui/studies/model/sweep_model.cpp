@@ -46,7 +46,7 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
     const auto samples = static_cast<double>(values.size());
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
     if (values.empty()) {
-        return {x, unsolved, unsolved, unsolved, unsolved, 0.0};
+        return {x, unsolved, unsolved, unsolved, unsolved, 0.0, 1.0};
     }
     std::sort(values.begin(), values.end());
     const double sum = std::accumulate(values.begin(), values.end(), 0.0);
@@ -60,7 +60,8 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
             percentileOf(values, 0.05),
             percentileOf(values, 0.95),
             percentileOf(sizes, 0.95),
-            static_cast<double>(built) / samples};
+            static_cast<double>(built) / samples,
+            1.0 - static_cast<double>(values.size()) / samples};
 }
 
 /// One for each worker.
@@ -89,7 +90,7 @@ std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
             if (responses[worker]->evaluate(x, y)) {
                 found[k][i] = y[0];
                 built[k][i] = watched == 1 || y[1] > 0.5;
-            }
+            }  // else it is rejected, as in a study
             if (!progress.step(worker)) {
                 return false;
             }

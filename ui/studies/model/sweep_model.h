@@ -20,10 +20,11 @@ struct Sweep {
         double x = 0.0;
         // Not a number where no sample could be solved:
         double mean = 0.0;
-        double low = 0.0;    ///< 5 %
-        double high = 0.0;   ///< 95 %
-        double size = 0.0;   ///< 95 % of the amount, |…|
-        double built = 0.0;  ///< share of the samples that are solved and feasible
+        double low = 0.0;       ///< 5 %
+        double high = 0.0;      ///< 95 %
+        double size = 0.0;      ///< 95 % of the amount, |…|
+        double built = 0.0;     ///< share of the samples that are solved and feasible
+        double rejected = 0.0;  ///< share of the samples that are not solved
         bool operator==(const Place&) const = default;
     };
     /// The minimum share of feasible samples at the best place.
