@@ -145,7 +145,8 @@ Vector vector_of(const RunResult::InPlane& read) {
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
 /// a tenth of that and by more than the limit, beyond which it is still; by more than 0.35 it is
-/// large. Where nothing was drilled, no more than that of what was there changes.
+/// large. A plane that was to be within the limit, and is, is as meant. Where nothing was drilled,
+/// no more than that of what was there changes.
 std::array<std::optional<OtherEffect>, 2> other_effects(
     const RunResult& before, const RunResult& after,
     const std::optional<std::array<double, 2>>& permissible) {
@@ -166,9 +167,11 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
         const bool is_drilled = meant[i] != 0.0;
         const double whole = std::abs(is_drilled ? meant[i] : was);
         const double off = std::abs(is - expected);
-        const bool is_large = off > std::max(0.35 * whole, limit);
-        if ((is_drilled && std::abs(is) <= limit) ||
-            !(is_large || (is_drilled && off > std::max(0.1 * whole, limit)))) {
+        const bool is_within = is_drilled && std::abs(is) <= limit;
+        const bool is_large =
+            off > std::max(0.35 * whole, limit) && !(is_within && std::abs(expected) <= limit);
+        const bool is_beside = is_drilled && !is_within && off > std::max(0.1 * whole, limit);
+        if (!is_large && !is_beside) {
             continue;
         }
         found[i] = {

@@ -318,6 +318,37 @@ TEST(Doubts, StopWhereUnbalanceVanishesWithoutAHole) {
     EXPECT_TRUE(solved(input).at("doubts").empty()) << solved(input).at("doubts").dump(1);
 }
 
+TEST(Doubts, StopWhereTheRecordedHoleDoesNotExplainThePass) {
+    // The limit is 417 g·mm in each plane; 16 mm, 30 mm deep take off about 3450.
+    Json input = card();
+    Json& correction = input["correction"];
+    correction["readings"] = Json::parse(R"([{"unbalance_g_mm": 77, "angle_deg": 33},
+                                             {"unbalance_g_mm": 80, "angle_deg": 190}])");
+    double was_g_mm = 3500;
+    const auto doubts = [&](const char* plane, double depth_mm, double angle_deg) {
+        const Json front{{"unbalance_g_mm", was_g_mm}, {"angle_deg", 116}};
+        const Json hole{{"plane", plane},
+                        {"diameter_mm", 16},
+                        {"depth_mm", depth_mm},
+                        {"angle_deg", angle_deg},
+                        {"state", "measured"}};
+        correction["earlier_runs"] = Json::array(
+            {{{"readings", {front, correction["readings"][1]}}, {"drilled", Json::array({hole})}}});
+        const Json found = solved(input).at("doubts");
+        EXPECT_TRUE(found.empty() || found[0].at("kind") == "drilled-otherwise") << found.dump(1);
+        return found.size();
+    };
+    EXPECT_EQ(doubts("front", 30, 116), 0U);
+    EXPECT_EQ(doubts("front", 28, 120), 0U) << "nearly there";
+    EXPECT_EQ(doubts("front", 30, 170), 1U) << "another angle";
+    EXPECT_EQ(doubts("front", 1, 116), 1U) << "another depth";
+    EXPECT_EQ(doubts("rear", 30, 116), 2U) << "another plane";
+    // It was to pass, and passes.
+    was_g_mm = 600;
+    correction["readings"][0] = {{"unbalance_g_mm", 410}, {"angle_deg", 296}};
+    EXPECT_EQ(doubts("front", 3, 116), 0U);
+}
+
 TEST(Doubts, NoneOfAHoleAsDeepAsIsPermitted) {
     Json input = card();
     input["correction"]["earlier_runs"] = Json::parse(
