@@ -30,11 +30,11 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
                       made.is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
         // Elsewhere than the hole that it was to deepen it is a new one, gone in all its depth.
         // Where no hole is recorded there was one all the same.
-        const bool is_elsewhere = hole.state == HoleState::wrong_side ||
-                                  (is_measured && is_recorded &&
-                                   std::ranges::none_of(before[plane].holes, [&](const Hole& each) {
-                                       return are_one_hole(each, made, radius);
-                                   }));
+        const auto is_it = [&](const Hole& each) { return are_one_hole(each, made, radius); };
+        const bool is_elsewhere =
+            hole.state == HoleState::wrong_side ||
+            (is_measured && is_recorded && std::ranges::none_of(before[plane].holes, is_it) &&
+             std::ranges::none_of(drilled[plane].holes, is_it));
         made.from_depth = is_elsewhere ? 0.0 : hole.from_depth;
         // What the hole alone took off, by its sizes.
         Removed removed = cut.removed(hole.diameter, hole.depth);

@@ -119,10 +119,18 @@ class PlanePlanner {
     }
 
     TriedRoom room_for(const Hole& hole) const {
-        HoleLimits limits = beside_all();
+        HoleLimits limits = limits_;
         limits.depth_step = 0.0;
+        double from_depth = 0.0;
+        for (const Hole& there : there_) {
+            if (there.depth < hole.depth && are_one_hole(there, hole, cut_.radius)) {
+                from_depth = there.depth;
+            } else {
+                take(there, cut_, limits);
+            }
+        }
         return {room_at(hole.angle, cut_, hole.diameter, hole.depth, limits),
-                deepest_hole(hole.diameter, cut_, limits)};
+                deepest_hole(hole.diameter, cut_, limits), from_depth};
     }
 
     Planned plan(Vector unbalance) const {

@@ -20,6 +20,7 @@ bool are_one_hole(const Hole& a, const Hole& b, double radius);
 struct TriedRoom {
     NoRoom missing;
     double maximum_depth;  ///< m
+    double from_depth;     ///< of the hole there that it deepens, m; 0 for a new one
 };
 /// @param before  as below
 TriedRoom room_for(const Hole& hole, const Plane& plane, const Correction& correction,

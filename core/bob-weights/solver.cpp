@@ -434,13 +434,17 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
     for (const RunResult& run : result.runs) {
         join(before, run.drilled[i]);
     }
-    const double taken = cut.removed(diameter, depth).unbalance;
+    const TriedRoom room =
+        room_for({diameter, depth, angle, 0.0, 0.0}, there, *input.correction, before);
+    const double before_it =
+        room.from_depth > 0.0 ? cut.removed(diameter, room.from_depth).unbalance : 0.0;
+    const double taken = cut.removed(diameter, depth).unbalance - before_it;
     const Vector left = vector_of(*newest->planes[i]) - std::polar(taken, angle);
     return Remaining{
         std::abs(left), turn_of(std::arg(left)),
         shop::is_within(std::abs(left), result.permissible ? std::optional((*result.permissible)[i])
                                                            : std::nullopt),
-        room_for({diameter, depth, angle, 0.0, 0.0}, there, *input.correction, before)};
+        room};
 }
 
 }  // namespace ravnoves::bob_weights

@@ -154,6 +154,11 @@ void CorrectionSheet::followPlanes(QComboBox* box) {
     });
 }
 
+std::optional<Remaining> CorrectionSheet::tried() const {
+    return what_if(model_->input(), model_->solution(), static_cast<PlaneName>(whatIf_.plane),
+                   *whatIf_.diameter, *whatIf_.depth, *whatIf_.angle);
+}
+
 void CorrectionSheet::showWhatIf() {
     const bool isWhole = std::ranges::all_of(whatIfFields_, [](const NumberField* each) {
         return each->trouble().isEmpty() && each->value();
@@ -164,11 +169,7 @@ void CorrectionSheet::showWhatIf() {
                          correction->earlier_runs.back().drilled;
     addLateHole_->setVisible(isAgain);
     addLateHole_->setEnabled(isWhole);
-    const auto left =
-        isWhole && !model_->withheld().holes
-            ? what_if(model_->input(), model_->solution(), static_cast<PlaneName>(whatIf_.plane),
-                      *whatIf_.diameter, *whatIf_.depth, *whatIf_.angle)
-            : std::nullopt;
+    const auto left = isWhole && !model_->withheld().holes ? tried() : std::nullopt;
     if (!left) {
         showOrHide(whatIfLine_, {});
         return;
@@ -360,6 +361,9 @@ void CorrectionSheet::addHole(bool isBefore) {
     hole.depth = whatIf_.depth.value();
     hole.angle = whatIf_.angle.value();
     hole.state = HoleState::measured;
+    if (const auto left = isBefore ? std::nullopt : tried()) {
+        hole.from_depth = left->room.from_depth;
+    }
     whatIf_ = {whatIf_.plane, {}, {}, {}};
     whatIfFields_.first()->setFocus(Qt::OtherFocusReason);  // the button goes grey
     model_->editCorrection(tr("Existing hole"), [&](Correction& correction) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bob-weights/solver.h"
 #include "workshop/workshop_sheet.h"
 
 class QComboBox;
@@ -108,6 +109,8 @@ class CorrectionSheet : public WorkshopSheet {
   private:
     void buildWhatIf();
     void showWhatIf();
+    /// What the hole would leave; its values are whole.
+    std::optional<bob_weights::Remaining> tried() const;
     void buildDrilled();
     void addHoleRow();
     void followPlanes(QComboBox* box);

@@ -432,9 +432,39 @@ TEST(Plan, JudgesAHoleThatIsTriedByItsOwnRules) {
     EXPECT_EQ(missing(300, 30.1), NoRoom::too_deep);
     EXPECT_NEAR(room(0.016, 0.005, 5.0).maximum_depth, 0.03, 1e-15);
     for (const Hole& hole : result.shaft.correction->at(0).holes) {
-        EXPECT_TRUE(hole.deepens ||
-                    room(hole.diameter, hole.depth, hole.angle).missing == NoRoom::none);
+        EXPECT_EQ(room(hole.diameter, hole.depth, hole.angle).missing, NoRoom::none);
     }
+    // One that is there may be deepened, by another drill not.
+    EXPECT_EQ(missing(101, 29), NoRoom::none);
+    EXPECT_EQ(room(0.016, 0.029, 101 * degree).from_depth, 0.028);
+    EXPECT_EQ(missing(100, 28), NoRoom::beside_hole);
+    EXPECT_EQ(room(0.010, 0.029, 100 * degree).missing, NoRoom::beside_hole);
+    const auto left = [&](double angle) {
+        const auto tried =
+            what_if(job, result.shaft, bob_weights::PlaneName::front, 0.016, 0.03, angle);
+        return std::polar(tried->unbalance, tried->angle);
+    };
+    const Cut cut{0.085, job.correction->drill.density, job.correction->drill.point_angle};
+    EXPECT_NEAR(std::abs(left(300 * degree) - left(100 * degree) +
+                         std::polar(cut.removed(0.016, 0.03).unbalance, 300 * degree) -
+                         std::polar(cut.removed(0.016, 0.03).unbalance -
+                                        cut.removed(0.016, 0.028).unbalance,
+                                    100 * degree)),
+                0.0, 1e-12);
+}
+
+TEST(Plan, CountsAHoleThatWasDeepenedAfterOneRunOnce) {
+    Json input = card();
+    input["correction"]["earlier_runs"] = parse_json(R"([
+        {"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 300}]},
+        {"drilled": [
+            {"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40},
+            {"plane": "front", "diameter_mm": 16, "depth_mm": 12, "from_depth_mm": 9,
+             "angle_deg": 40, "state": "measured"}]}])");
+    const Json holes = at(solved(input), "/correction/runs/1/planes/0/drilled_holes");
+    const Cut cut{0.085, bob_weights::Drill().density, bob_weights::Drill().point_angle};
+    EXPECT_NEAR(number(holes, "/1/removed_g"),
+                1e3 * (cut.removed(0.016, 0.012).mass - cut.removed(0.016, 0.009).mass), 1e-9);
 }
 
 TEST(Plan, PutsHolesAtTheHeavySpotWhateverTheMachineShows) {
