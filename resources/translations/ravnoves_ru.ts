@@ -17585,8 +17585,8 @@ but at this l no α is feasible</source>
         <translation>Новая работа: массы и показания пусты.</translation>
     </message>
     <message>
-        <source>Another engine: planes, heavy metal, nominal masses and service speed of the previous crankshaft are cleared. Undo restores them.</source>
-        <translation>Другой двигатель: плоскости, тяжёлый металл, номинальные массы и рабочая частота вращения прежнего вала очищены. Отмена вернёт их.</translation>
+        <source>Another engine: planes, heavy metal, nominal masses, service speed and own limit of the previous crankshaft are cleared. Undo restores them.</source>
+        <translation>Другой двигатель: плоскости, тяжёлый металл, номинальные массы, рабочая частота вращения и свой предел прежнего вала очищены. Отмена вернёт их.</translation>
     </message>
     <message>
         <source>Restore the backup</source>

@@ -92,8 +92,8 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
     connect(model_, &WorkshopModel::sheetChosen, sheets_, &QTabWidget::setCurrentIndex);
     connect(model_, &WorkshopModel::crankForgotten, this, [this] {
         Q_EMIT status(
-            tr("Another engine: planes, heavy metal, nominal masses and service speed of the "
-               "previous crankshaft are cleared. Undo restores them."));
+            tr("Another engine: planes, heavy metal, nominal masses, service speed and own limit "
+               "of the previous crankshaft are cleared. Undo restores them."));
     });
     const auto showPlugs = [this] {
         constexpr int plugsTab = 3;

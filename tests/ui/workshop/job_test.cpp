@@ -1340,8 +1340,10 @@ TEST_F(ReadJobTest, TheNextJobOfAnotherEngineHasNothingOfTheCrankshaftBefore) {
           {"rotor_mass_kg", "24"},
           {"service_speed_rpm", "5500"},
           {"engine_number", "A 1"}});
+    limitTo(40);
     save();
     press(Qt::Key_F4);
+    EXPECT_EQ(model->input().tolerance->plane, 40 * units::gram_mm);
     const Correction carried = *model->input().correction;
     ASSERT_EQ(carried.planes[0].radius, 85 * units::mm) << "of the same engine it stays";
     EXPECT_FALSE(model->input().tolerance->rotor_mass) << "the next crankshaft's is its own";
@@ -1357,6 +1359,7 @@ TEST_F(ReadJobTest, TheNextJobOfAnotherEngineHasNothingOfTheCrankshaftBefore) {
     EXPECT_EQ(model->input().tolerance->grade, 6.3 * units::mm_per_s);
     EXPECT_FALSE(model->input().tolerance->rotor_mass);
     EXPECT_FALSE(model->input().tolerance->service_speed);
+    EXPECT_FALSE(model->input().tolerance->plane);
     // What is typed for this engine stays, and one step brings all of it back.
     type("radius_1", u"85"_s);
     type("cylinders", u"12"_s);

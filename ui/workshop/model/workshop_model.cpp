@@ -101,8 +101,9 @@ bool forgetCrank(Job& input, const Job& before) {
         forget(now.slug, then.slug);
     }
     if (input.tolerance && before.tolerance) {
-        for (const auto member : {&Tolerance::service_speed, &Tolerance::centre_of_mass,
-                                  &Tolerance::front_bearing, &Tolerance::rear_bearing}) {
+        for (const auto member :
+             {&Tolerance::service_speed, &Tolerance::centre_of_mass, &Tolerance::front_bearing,
+              &Tolerance::rear_bearing, &Tolerance::plane}) {
             forget(*input.tolerance.*member, *before.tolerance.*member);
         }
     }
