@@ -212,7 +212,7 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
             });
         }
     };
-    std::for_each(order.begin(), order.end(), follow);
+    std::for_each(form->order().begin(), form->order().end(), follow);
     connect(form, &WorkshopSheet::fieldAdded, this, follow);
     connect(model(), &SceneModel::changed, this, [this, tab] { markTab(tab); });
     connect(&Theme::instance(), &Theme::changed, this, [this, tab] { markTab(tab); });

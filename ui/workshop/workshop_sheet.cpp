@@ -52,7 +52,7 @@ WorkshopSheet::WorkshopSheet(WorkshopModel* model, QWidget* parent)
     : Form(model, parent), model_(model) {}
 
 QList<QWidget*> WorkshopSheet::tabOrder() const {
-    QList<QWidget*> order = order_;
+    QList<QWidget*> order = tabs_;
     for (const auto& rows : grids_) {
         qsizetype at = order.indexOf(rows.constFirst().constFirst());
         for (const auto& row : rows) {
@@ -258,6 +258,7 @@ QPushButton* WorkshopSheet::button(const char* name, const QString& label, const
     QPushButton* made = largeButton(name, label, current());
     made->setToolTip(tip);
     current()->addWide(made);
+    tabs_ << made;
     connect(made, &QPushButton::clicked, this, std::move(press));
     return made;
 }

@@ -26,7 +26,7 @@ class WorkshopSheet : public Form {
 
     /// Every field in the order of Enter.
     const QList<QWidget*>& order() const { return order_; }
-    /// The same in the order of Tab: along the rows of a grid.
+    /// The same with the buttons in the order of Tab: along the rows of a grid.
     QList<QWidget*> tabOrder() const;
     /// The name of a field in another language than the window's.
     QString nameIn(const Words& words, const EntryField& field) const;
@@ -84,6 +84,7 @@ class WorkshopSheet : public Form {
     template <typename Widget>
     Widget* ordered(Widget* field) {
         order_ << field;
+        tabs_ << field;
         Q_EMIT fieldAdded(field);
         return field;
     }
@@ -119,6 +120,7 @@ class WorkshopSheet : public Form {
 
     std::map<const EntryField*, Name> names_;  ///< of cells
     QList<QWidget*> order_;
+    QList<QWidget*> tabs_;  ///< the same with the buttons
     QList<QList<QList<QWidget*>>> grids_;
 };
 

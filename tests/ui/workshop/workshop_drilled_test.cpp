@@ -236,6 +236,29 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     EXPECT_EQ(label("what_if"), QString());
 }
 
+TEST_F(DrilledTest, AHoleThatIsThoughtOfMayDeepenOne) {
+    const DrilledHole& there = hole(0);
+    const auto shown = [](double value, const auto& unit) { return QString::number(value / unit); };
+    type("what_if_diameter", shown(there.diameter, units::mm));
+    type("what_if_depth", shown(there.depth, units::mm));
+    type("what_if_angle", shown(there.angle, degree));
+    EXPECT_EQ(label("what_if"), u"Another hole is too near. Choose another angle."_s);
+    type("what_if_depth", shown(there.depth + 1 * units::mm, units::mm));
+    EXPECT_TRUE(begins(label("what_if"), u"Front plane: residual "_s));
+    // Tab leads to the buttons that add it.
+    auto* angle = find<QWidget>("what_if_angle");
+    angle->setFocus(Qt::TabFocusReason);
+    for (const char* button : {"add_hole", "add_late_hole"}) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        EXPECT_EQ(QApplication::focusWidget(), find<QWidget>(button)) << button;
+    }
+    const double depth = there.depth;
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    const DrilledHole& added = model->input().correction->earlier_runs.at(0).drilled->back();
+    EXPECT_NEAR(added.depth, depth + 1 * units::mm, 1e-9);
+    EXPECT_EQ(added.from_depth, depth);
+}
+
 TEST_F(DrilledTest, TheVerdictLeadsToWhatWasDrilledOtherwise) {
     // The machine reads what the holes do not explain.
     type("run_1_unbalance_1", u"4900"_s);
