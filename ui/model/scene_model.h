@@ -97,6 +97,8 @@ class SceneModel : public QObject {
     virtual void showInput(const Json& /*input*/) {}
     /// The verdict; empty where the scene has none.
     virtual std::optional<Verdict> verdictShown() const { return std::nullopt; }
+    /// Results are of the values before rejected entries.
+    virtual bool isOutdated() const { return hasRejected(); }
     /// The variant that the case is seen against.
     ReferenceCase& referenceCase();
     /// The "result" object, the same that the command line prints.

@@ -272,6 +272,22 @@ void Form::showAll() {
     }
 }
 
+std::string Form::placeOf(const EntryField* field) const {
+    const auto row = std::ranges::find(rows_, field, [](const Row& each) { return each.field; });
+    return row != rows_.end() ? row->pointer : std::string();
+}
+
+std::vector<std::string> Form::rejectedPlaces() const {
+    std::vector<std::string> places;
+    for (const auto* field : findChildren<NumberField*>()) {
+        const std::string place = placeOf(field);
+        if (!field->trouble().isEmpty() && field->isOptional() && !place.empty()) {
+            places.push_back(place);
+        }
+    }
+    return places;
+}
+
 bool Form::hasRejected() const {
     return std::ranges::any_of(findChildren<EntryField*>(),
                                [](const EntryField* field) { return !field->trouble().isEmpty(); });

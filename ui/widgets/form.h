@@ -73,8 +73,12 @@ class Form : public QWidget {
 
     /// An entry is rejected now.
     bool hasRejected() const;
+    /// Pointers of the rejected numbers that may be empty.
+    std::vector<std::string> rejectedPlaces() const;
 
   protected:
+    /// The pointer of a field; empty where it has none.
+    virtual std::string placeOf(const EntryField* field) const;
     SceneModel* model() const { return model_; }
     void showAll();
 

@@ -24,6 +24,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     const QString& unit() const { return unit_; }
     /// An empty field is allowed and means "by formula"; its value is then empty.
     void setOptional(bool optional) { optional_ = optional; }
+    bool isOptional() const { return optional_; }
     /// Only whole numbers are allowed.
     void setWhole(bool whole) {
         whole_ = whole;

@@ -137,6 +137,7 @@ void CorrectionSheet::buildWhatIf() {
                              "effect, the one before does not."),
                           [this] { addHole(false); });
     follow([this] { showWhatIf(); });
+    connect(model_, &SceneModel::shownChanged, this, &CorrectionSheet::showWhatIf);
     connect(model_, &SceneModel::restarted, this, [this] {
         whatIf_ = {};
         showAll();
@@ -169,7 +170,7 @@ void CorrectionSheet::showWhatIf() {
                          correction->earlier_runs.back().drilled;
     addLateHole_->setVisible(isAgain);
     addLateHole_->setEnabled(isWhole);
-    const auto left = isWhole && !model_->withheld().holes ? tried() : std::nullopt;
+    const auto left = isWhole && !model_->shown().withheld().holes ? tried() : std::nullopt;
     if (!left) {
         showOrHide(whatIfLine_, {});
         return;

@@ -97,7 +97,7 @@ void MachineSheet::buildPlanes() {
     TroubleLine* const trouble = sheet.second;
     std::array<QList<NumberField*>, 2> fields;
     using Value = std::optional<double>;
-    const auto row = [&](const char* key, const Field& field, auto get) {
+    const auto row = [&](const char* key, const char* list, const Field& field, auto get) {
         const int at = grid->rowCount();
         const QString unit = shownUnit(field.unit).name;
         auto* label = new QLabel(titleWithUnit(fieldName(field), unit));
@@ -108,7 +108,10 @@ void MachineSheet::buildPlanes() {
                 return model_->planeName(plane, words) + QStringLiteral(": ") + words.name(field);
             };
             NumberField* made =
-                cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
+                cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name,
+                     [place = list + std::to_string(plane) + '/' + std::string(field.key)] {
+                         return place;
+                     });
             bind(
                 made, field,
                 [this, get, plane] {
@@ -126,15 +129,16 @@ void MachineSheet::buildPlanes() {
             fields[plane] << made;
         }
     };
-    row("position", field::plane_position,
+    const char* const planes = "/correction/planes/";
+    row("position", planes, field::plane_position,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].position; });
-    row("radius", field::plane_radius,
+    row("radius", planes, field::plane_radius,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].radius; });
-    row("read_at", field::reading_position,
+    row("read_at", "/correction/readings/", field::reading_position,
         [](Correction& c, std::size_t i) -> Value& { return c.readings[i].position; });
-    row("from", field::from_angle,
+    row("from", planes, field::from_angle,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].from_angle; });
-    row("to", field::to_angle,
+    row("to", planes, field::to_angle,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].to_angle; });
     for (const auto& column : fields) {  // Enter goes down the columns, plane by plane
         for (NumberField* field : column) {
@@ -176,7 +180,10 @@ void MachineSheet::buildRuns() {
                         .arg(isAngle ? QStringLiteral("angle") : QStringLiteral("unbalance"))
                         .arg(plane + 1);
                 NumberField* made = ordered(
-                    cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
+                    cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name,
+                         [this, run, plane, &field] {
+                             return model_->readingPlace(run, plane) + std::string(field.key);
+                         }));
                 readings_ << made;
                 if (!isAngle) {
                     made->setLever([this, plane]() -> std::optional<double> {

@@ -19,7 +19,9 @@ PlaneView::PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
         setAccessibleDescription(caption());
         update();
     };
-    connect(model_, &SceneModel::changed, this, repaint);
+    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+        connect(model_, signal, this, repaint);
+    }
     connect(&Theme::instance(), &Theme::changed, this, repaint);
     followReference(model_);
     setToolTip(
@@ -29,7 +31,7 @@ PlaneView::PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
 }
 
 QString PlaneView::caption() const {
-    const auto& correction = model_->solution().correction;
+    const auto& correction = model_->shown().solution().correction;
     if (!correction) {
         return tr("no correction yet");
     }
@@ -56,10 +58,10 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     const QRectF target(
         Theme::margin, title.bottom() + Theme::gap, width() - 2.0 * Theme::margin,
         height() - title.bottom() - Theme::gap - Theme::space - smallMetrics.height());
+    const WorkshopModel& shown = model_->shown();
     const WorkshopModel* other = referenceOf(model_);
-    drawPlane(painter, target,
-              {model_->input(), model_->solution(), plane_,
-               other != nullptr ? &other->solution() : nullptr},
+    const Result* reference = other != nullptr ? &other->solution() : nullptr;
+    drawPlane(painter, target, {shown.input(), shown.solution(), plane_, reference},
               {.line = theme.text(),
                .thin = theme.grid(),
                .text = theme.mutedText(),

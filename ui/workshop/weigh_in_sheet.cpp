@@ -174,10 +174,16 @@ NumberField* WeighInSheet::addCell(int row, int column) {
                   words.translate("ravnoves::WeighInSheet", "%1, permitted range"),
                   words.translate("ravnoves::WeighInSheet", "%1 of cylinder %2"));
     };
-    NumberField* field = ordered(cell(description,
-                                      of(key, QStringLiteral("nominal_%1"),
-                                         QStringLiteral("spread_%1"), QStringLiteral("mass_%1_%2")),
-                                      name));
+    NumberField* field =
+        ordered(cell(description,
+                     of(key, QStringLiteral("nominal_%1"), QStringLiteral("spread_%1"),
+                        QStringLiteral("mass_%1_%2")),
+                     name, [row, &word] {
+                         const std::string part = "/weigh_in/" + std::string(word.word) + '/' +
+                                                  std::string(WorkshopModel::weightField(row).key);
+                         const int cylinder = row - WorkshopModel::firstCylinder;
+                         return cylinder < 0 ? part : part + '/' + std::to_string(cylinder);
+                     }));
     field->setHint(of(shownText(word.label), tr("%1: mass by the drawing."),
                       tr("%1: permitted heaviest minus lightest, by the works manual. Blank means "
                          "no limit."),

@@ -215,13 +215,14 @@ void WorkshopAnswer::showAnswer() {
          isStopped ? &Theme::error
          : known   ? &Theme::text
                    : &Theme::mutedText);
-    const QString verdict = model_->verdictNow();
+    const WorkshopModel& shown = model_->shown();
+    const QString verdict = shown.verdictNow();
     if (auto* area = qobject_cast<QScrollArea*>(parentWidget()->parentWidget());
         std::exchange(verdict_, verdict) != verdict && area != nullptr) {
         area->verticalScrollBar()->setValue(0);  // another verdict is to be seen
     }
     const VerdictKind kind = verdictKind(verdict);
-    const bool isWithheld = model_->withheld().any();
+    const bool isWithheld = shown.withheld().any();
     show("correction", kind != VerdictKind::None, kind != VerdictKind::None && !isWithheld,
          isWithheld                  ? &Theme::error
          : kind == VerdictKind::None ? &Theme::mutedText
@@ -243,7 +244,7 @@ void WorkshopAnswer::showAnswer() {
     weight_->setVisible(!isOfMachine_ && (known || model_->hasPlugs()));
     plug_->setVisible(model_->hasPlugs());
     const bool isDrilled = drilled_->rowCount() > 0;
-    pictures_->setVisible(model_->solution().correction.has_value() || isDrilled);
+    pictures_->setVisible(shown.solution().correction.has_value() || isDrilled);
     drilledHeading_->setVisible(isDrilled);
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0 ||
                                         isDrilled);

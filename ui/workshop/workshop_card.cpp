@@ -30,6 +30,8 @@ const QString grey = QStringLiteral("#555555");
 const QString amber = QStringLiteral("#9a6700");  ///< what does not count
 const QString red = QStringLiteral("#b02020");    ///< STOP
 
+constexpr int largest = 35;  ///< type, 1/96 inch
+
 /// What is left to be written by hand.
 const QString byHand = QStringLiteral("…………………");
 
@@ -103,6 +105,8 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
                   words.translate("BobWeights", "Drilled from … to"),
                   words.translate("BobWeights", "Permissible residual")}}};
     const QString none = QStringLiteral("–");
+    // On a card with a STOP what is blank may be a rejected entry.
+    const bool isStopped = model.withheld().any();
     const auto length = [&](const std::optional<double>& value) {
         return value ? words.plainWithUnit(*value, units::mm, 2) : none;
     };
@@ -116,13 +120,12 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
             model.planeName(i, words),
             length(plane.position),
             length(plane.radius),
-            length(read ? read : plane.position),
+            length(read || isStopped ? read : plane.position),
             plane.from_angle && plane.to_angle
                 ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
-                : words.text(field::from_angle.placeholder),
-            permissible && !model.withheld().verdict
-                ? words.number((*permissible)[i], units::gram_mm, 1)
-                : none};
+            : isStopped ? none
+                        : words.text(field::from_angle.placeholder),
+            permissible && !isStopped ? words.number((*permissible)[i], units::gram_mm, 1) : none};
     }
     return block;
 }
@@ -317,8 +320,10 @@ void addPlugs(std::vector<Block>& blocks, const Words& words, const WorkshopMode
                 words.plainWithUnit(result.changes.*each.member, units::gram, 3));
         }
     }
-    add(words.name(v8_plugs::field::tolerance),
-        words.plainWithUnit(input.tolerance, units::gram_mm, 2));
+    if (!model.withheld().any()) {  // as every limit
+        add(words.name(v8_plugs::field::tolerance),
+            words.plainWithUnit(input.tolerance, units::gram_mm, 2));
+    }
     blocks.push_back(std::move(options));
     blocks.push_back(std::move(values));
 }
@@ -343,7 +348,8 @@ class Card {
         : model_(model), words_(words), rejected_(rejected) {}
 
     Paper make() {
-        paper_.title = words_.translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
+        paper_.title = stop(QStringLiteral(". ")) +
+                       words_.translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
                        QString::fromStdString(model_.input().job.engine_number);
         paper_.foot = QSettings().value(shopKey).toString();
         paper_.isWrittenOn = true;
@@ -355,6 +361,11 @@ class Card {
     }
 
   private:
+    /// "STOP" with what follows it; empty where nothing is withheld.
+    QString stop(const QString& end = {}) const {
+        return model_.withheld().any() ? words_.translate("Workshop", "STOP") + end : QString();
+    }
+
     /// Whose job it is.
     QString head() const {
         const workshop::Input& input = model_.input();
@@ -390,7 +401,6 @@ class Card {
     /// What to do in the largest type, and what is wrong.
     QString answer() const {
         constexpr int large = 27;  // 20 pt
-        constexpr int largest = 35;
         const workshop::Withheld withheld = model_.withheld();
         const QString verdict =
             withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
@@ -403,8 +413,8 @@ class Card {
         }
         more.removeAll(QString());
         QString content;
-        if (withheld.any() && !withheld.bob_weight) {
-            content = lines(words_.translate("Workshop", "STOP"), largest, true, colour);
+        if (!withheld.bob_weight) {
+            content = lines(stop(), largest, true, colour);
         }
         content += lines(model_.headline(words_),
                          withheld.bob_weight ? largest
@@ -547,7 +557,7 @@ class Card {
             parts += block.html();
         }
         if (!parts.isEmpty()) {
-            paper_.body += paper::endOfFirstPage + parts;
+            paper_.body += paper::endOfFirstPage + lines(stop(), largest, true, red) + parts;
         }
     }
 

@@ -61,6 +61,11 @@ WorkshopPage::WorkshopPage(QWidget* parent, SceneModel* kept)
 WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(adopt<WorkshopModel>(kept, journalPath)) {
     model_->setRejected({});  // by the fields of a page before
+    connect(model_, &SceneModel::changed, this, [this] {
+        if (model_->hasRejected()) {
+            noteRejected();  // their places change with the runs
+        }
+    });
     QVBoxLayout* column = columnIn(this, 0);
     column->addWidget(buildBanner());
     verdict_ = new VerdictLine(this);
@@ -208,7 +213,7 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
         if (auto* entry = qobject_cast<EntryField*>(field)) {
             connect(entry, &EntryField::troubleChanged, this, [this, tab] {
                 markTab(tab);
-                model_->setRejected(rejectedInputs(this));
+                noteRejected();
             });
         }
     };
@@ -220,6 +225,14 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
         QWidget::setTabOrder(order.at(i - 1), order.at(i));
     }
     markTab(tab);  // a page made again shows a job that is there
+}
+
+void WorkshopPage::noteRejected() {
+    std::vector<std::string> places;
+    for (const WorkshopSheet* form : forms_) {
+        std::ranges::move(form->rejectedPlaces(), std::back_inserter(places));
+    }
+    model_->setRejected(rejectedInputs(this), places);
 }
 
 void WorkshopPage::markTab(int tab) {

@@ -61,6 +61,8 @@ class WorkshopPage : public ScenePage {
     void showVerdict();
     void addSheet(WorkshopSheet* form, const QString& title);
     void markTab(int tab);
+    /// The model knows which entries are rejected.
+    void noteRejected();
     void buildActions();
     void buildCardLanguages();
     QWidget* buildBanner();

@@ -283,14 +283,15 @@ std::pair<QGridLayout*, TroubleLine*> WorkshopSheet::grid(const QStringList& hea
     return {made, trouble};
 }
 
-NumberField* WorkshopSheet::cell(const Field& field, const QString& key, const Name& name) {
+NumberField* WorkshopSheet::cell(const Field& field, const QString& key, const Name& name,
+                                 const Place& place) {
     auto* made = new NumberField(field, current());
     made->setObjectName(key);
     made->setOptional(true);
     made->setSaysHowRead(true);
     enlarge(made);
     makeCell(made);
-    names_[made] = name;
+    named_[made] = {name, place};
     follow([made, name] {
         const QString spoken = titleWithUnit(name({}), made->unit());
         if (made->accessibleName() != spoken) {
@@ -301,9 +302,16 @@ NumberField* WorkshopSheet::cell(const Field& field, const QString& key, const N
 }
 
 QString WorkshopSheet::nameIn(const Words& words, const EntryField& field) const {
-    const auto cell = names_.find(&field);
-    return cell != names_.end() ? cell->second(words)
+    const auto cell = named_.find(&field);
+    return cell != named_.end() ? cell->second.first(words)
                                 : words.text(field.label()).remove(QLatin1Char('&'));
+}
+
+std::string WorkshopSheet::placeOf(const EntryField* field) const {
+    const auto cell = named_.find(field);
+    return cell == named_.end()  ? Form::placeOf(field)
+           : cell->second.second ? cell->second.second()
+                                 : std::string();
 }
 
 void WorkshopSheet::finish() {

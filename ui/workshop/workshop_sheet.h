@@ -106,8 +106,12 @@ class WorkshopSheet : public Form {
     /// A grid over the whole width with its headings, and the line for its rejected entries.
     std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
     using Name = std::function<QString(const Words& words)>;
+    using Place = std::function<std::string()>;
     /// A field of a grid; its name may follow the model.
-    NumberField* cell(const Field& field, const QString& key, const Name& name);
+    /// @param place  its pointer below "input" now; empty without one
+    NumberField* cell(const Field& field, const QString& key, const Name& name,
+                      const Place& place = {});
+    std::string placeOf(const EntryField* field) const override;
     /// Ends the sheet: labels without a mnemonic get one that no other label or button has.
     void finish();
 
@@ -118,7 +122,7 @@ class WorkshopSheet : public Form {
     /// @return true for an arrow that leaves the field of a grid
     static bool goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key);
 
-    std::map<const EntryField*, Name> names_;  ///< of cells
+    std::map<const EntryField*, std::pair<Name, Place>> named_;
     QList<QWidget*> order_;
     QList<QWidget*> tabs_;  ///< the same with the buttons
     QList<QList<QList<QWidget*>>> grids_;

@@ -1112,6 +1112,44 @@ TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
     EXPECT_TRUE(jobs().at(0).isFinished);
 }
 
+TEST_F(ReadJobTest, ARejectedEntryStopsThePlanAsADoubtDoes) {
+    typeLimit(u"300"_s);
+    fill({{"mass_piston_1", "591.25"}, {"mass_piston_2", "590"}});
+    const QString file = QDir(folder.path()).filePath(u"card.pdf"_s);
+    const auto printed = [&] {
+        EXPECT_EQ(page.writeCard(file), QString());
+        return textOfPdf(file);
+    };
+    const int holes = rowsOf("Holes and slugs");
+    EXPECT_GT(holes, 0);
+    EXPECT_TRUE(hasAll(printed(), {u"2600.0"_s, u"591.25"_s}));
+    type("mass_piston_1", u"59x"_s);
+    type("unbalance_1", u"26x0"_s);
+    EXPECT_EQ(rowsOf("Holes and slugs"), 0);
+    EXPECT_EQ(find<QWidget>("plane_1")->accessibleDescription(), u"no correction yet"_s);
+    EXPECT_EQ(label("correction"), u"STOP: do not drill yet"_s);
+    EXPECT_TRUE(begins(label("hole_note"), u"STOP"_s));
+    EXPECT_TRUE(begins(label("rejected"), u"Result outdated: "_s));
+    EXPECT_TRUE(field("run_1_unbalance_1")->isEnabled()) << "the holes may have been drilled";
+    // The values before are not on the card, each page of which says STOP.
+    const QStringList pages = printed().split(u'\f', Qt::SkipEmptyParts);
+    EXPECT_EQ(pages.size(), 2);
+    for (const QString& each : pages) {
+        EXPECT_TRUE(has(each, u"STOP"_s));
+        EXPECT_FALSE(has(each, u"2600.0"_s));
+        EXPECT_FALSE(has(each, u"591.25"_s));
+    }
+    EXPECT_TRUE(has(pages.at(0), u"1450.0"_s)) << "the other reading";
+    EXPECT_TRUE(has(pages.at(1), u"590.00"_s));
+    type("unbalance_1", u"2600"_s);
+    type("mass_piston_1", u"591.25"_s);
+    EXPECT_EQ(rowsOf("Holes and slugs"), holes);
+    type("radius_1", u"8.5"_s);
+    for (const QString& each : printed().split(u'\f', Qt::SkipEmptyParts)) {
+        EXPECT_TRUE(has(each, u"STOP"_s));
+    }
+}
+
 TEST_F(CardJobTest, RunsFollowOneAnother) {
     type("customer", u"Smith"_s);
     EXPECT_FALSE(field("run_1_unbalance_1")->isEnabled()) << "nothing is planned yet";

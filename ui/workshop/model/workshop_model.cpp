@@ -250,9 +250,15 @@ template class CaseModel<WorkshopScene>;
 WorkshopModel::WorkshopModel(const QString& journalPath, QObject* parent)
     : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath) {}
 
-void WorkshopModel::setRejected(const QStringList& rejected) {
-    if (rejected != rejected_) {
+void WorkshopModel::setRejected(const QStringList& rejected,
+                                const std::vector<std::string>& places) {
+    const bool isSame = rejected == rejected_;
+    if (!isSame || places != rejectedAt_) {
         rejected_ = rejected;
+        rejectedAt_ = places;
+        stopped_.reset();
+    }
+    if (!isSame) {
         Q_EMIT shownChanged();
     }
 }
@@ -266,13 +272,43 @@ std::unique_ptr<WorkshopModel> WorkshopModel::stoppedBy(const QString& why) cons
     static constexpr workshop::DoubtRule rule{
         "rejected-entry", Severity::error, {true, true, true}, {}, nullptr};
     auto stopped = std::make_unique<WorkshopModel>(QString());
-    stopped->restart(input());
+    stopped->restart(withoutRejected());
     WorkshopScene::Solved& solved = stopped->solvedInPlace();
     solved.found.doubts.insert(solved.found.doubts.begin(), {&rule, why.toStdString()});
     solved.allowed = workshop::allowed(solved.found);
+    solved.verdict = workshop::short_verdict(stopped->input(), solved.found);
     solved.allowed.shaft.placing.reset();
     solved.sheet.reset();  // nor is a part made lighter
     return stopped;
+}
+
+Job WorkshopModel::withoutRejected() const {
+    Json whole = inputJson();
+    for (const std::string& place : rejectedAt_) {
+        const Json::json_pointer at(place);
+        if (whole.contains(at)) {
+            Json& parent = whole[at.parent_pointer()];
+            parent.is_array() ? void(whole[at] = nullptr) : void(parent.erase(at.back()));
+        }
+    }
+    try {
+        return WorkshopScene::read(whole, context());
+    } catch (const InputError&) {
+        return input();
+    }
+}
+
+const WorkshopModel& WorkshopModel::shown() const {
+    if (!isOutdated()) {
+        return *this;
+    }
+    if (!stopped_ || stoppedAt_ != solutions()) {
+        stopped_ = stoppedBy(Words()
+                                 .translate("JobCard", "Entries not accepted: %1")
+                                 .arg(rejected_.join(QLatin1Char(' '))));
+        stoppedAt_ = solutions();
+    }
+    return *stopped_;
 }
 
 bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
@@ -515,6 +551,13 @@ std::optional<double> WorkshopModel::reading(std::size_t run, std::size_t plane,
     const Correction& correction = *input().correction;
     return run < newestRun() ? value(correction.earlier_runs[run + firstRun()].readings)
                              : value(correction.readings);
+}
+
+std::string WorkshopModel::readingPlace(std::size_t run, std::size_t plane) const {
+    const std::string of = run < newestRun()
+                               ? "/correction/earlier_runs/" + std::to_string(run + firstRun())
+                               : std::string(run == newestRun() ? "/correction" : "/none");
+    return of + "/readings/" + std::to_string(plane) + '/';
 }
 
 QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, std::size_t plane,

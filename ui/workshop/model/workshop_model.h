@@ -100,12 +100,16 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
     /// Entries that the form rejects now and that results depend on.
-    void setRejected(const QStringList& rejected);
+    /// @param places  pointers of the values before them that may be left out
+    void setRejected(const QStringList& rejected, const std::vector<std::string>& places = {});
     /// The answer is of the values before them.
-    bool isOutdated() const { return !rejected_.isEmpty() && hasAnswer(); }
+    bool isOutdated() const override { return !rejected_.isEmpty() && hasAnswer(); }
     /// The job without an answer, as a doubt would stop it: nothing can be set or drilled by the
-    /// values before rejected entries.
+    /// values before rejected entries. These values are left out.
     std::unique_ptr<WorkshopModel> stoppedBy(const QString& why) const;
+    /// What page and clipboard show of the correction: this job, or while it is outdated the
+    /// stopped one.
+    const WorkshopModel& shown() const;
 
     // ------------------------------------------------------------------------------- changes
     QString edit(const QString& name, const std::function<void(Input&)>& mutate,
@@ -138,6 +142,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool isPlanned() const;
     /// A reading of the machine, SI.
     std::optional<double> reading(std::size_t run, std::size_t plane, bool isAngle) const;
+    /// Where the readings of a plane are in the case, as a pointer to what follows it.
+    std::string readingPlace(std::size_t run, std::size_t plane) const;
     /// The first reading of the run after the newest makes that the newest; without any there is no
     /// run.
     QString editReading(const QString& name, std::size_t run, std::size_t plane, bool isAngle,
@@ -337,6 +343,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
     /// Why there are not such an engine and such plugs; empty where there may be.
     static QString engineTrouble(const Input& next);
+    /// The input without the values before rejected entries.
+    Input withoutRejected() const;
     static QString provisional(const Words& words, const QString& answer);
     static QString readingsMissing() { return tr("Enter the readings of both planes."); }
     /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
@@ -366,6 +374,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     std::optional<bob_weights::Engine> lastV_;  ///< before another type was chosen
     std::optional<Input> carried_;              ///< what the job began with of the job before
     QStringList rejected_;
+    std::vector<std::string> rejectedAt_;
+    mutable std::unique_ptr<WorkshopModel> stopped_;  ///< shown() by those
+    mutable int stoppedAt_ = 0;                       ///< solutions() then
     JobDesk desk_;
 };
 

@@ -297,13 +297,14 @@ QString weighingNote(const WorkshopModel& model) {
 
 std::vector<AnswerLine> answerLines(const WorkshopModel& model) {
     const bool hasFactor = model.solution().bob_weight && !model.hasPlugs();
+    const WorkshopModel& shown = model.shown();
     std::vector<AnswerLine> lines{
         {"rejected", Severity::warning, {model.rejectedText()}},
         {"headline",
          model.withheld().bob_weight ? Severity::error : Severity::note,
          {model.headline()}},
         // The page alone says it apart from tables and verdict.
-        {"correction", Severity::note, {model.correctionText()}, {}},
+        {"correction", Severity::note, {shown.correctionText()}, {}},
         {"hang", Severity::note, {model.hangText()}},
         {"factor", Severity::note, {hasFactor ? model.factorText() : QString()}},
         {"limits", Severity::note, QStringList{model.limitText(), weighingNote(model)}},
@@ -316,10 +317,10 @@ std::vector<AnswerLine> answerLines(const WorkshopModel& model) {
         // By another convention a hole is drilled on the wrong side.
         {"convention",
          Severity::note,
-         {model.solution().newest() != nullptr ? model.machineText() : QString()},
+         {model.solution().newest() != nullptr ? shown.machineText() : QString()},
          "hole-notes"},
-        {"as_read_note", Severity::note, {model.asReadNote()}, "hole-notes"},
-        {"hole_note", Severity::note, {model.holeNote()}, "hole-notes"}};
+        {"as_read_note", Severity::note, {shown.asReadNote()}, "hole-notes"},
+        {"hole_note", Severity::note, {shown.holeNote()}, "hole-notes"}};
     for (AnswerLine& line : lines) {
         line.texts.removeAll(QString());
     }
@@ -331,7 +332,9 @@ std::span<const PagePart> workshopParts() {
 }
 
 Content workshopPart(const WorkshopModel& model, std::string_view id) {
-    return makePart(makers, model, id);
+    constexpr std::string_view ofCorrection[] = {"planes", "holes", "runs", "drilled"};
+    const bool isOfCorrection = std::ranges::find(ofCorrection, id) != std::end(ofCorrection);
+    return makePart(makers, isOfCorrection ? model.shown() : model, id);
 }
 
 }  // namespace ravnoves
