@@ -99,6 +99,8 @@ class SceneModel : public QObject {
     virtual std::optional<Verdict> verdictShown() const { return std::nullopt; }
     /// Results are of the values before rejected entries.
     virtual bool isOutdated() const { return hasRejected(); }
+    /// Why nothing may be done by the answer, as the first line of a copy; empty where it may.
+    virtual QString stopText() const { return {}; }
     /// The variant that the case is seen against.
     ReferenceCase& referenceCase();
     /// The "result" object, the same that the command line prints.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/reference_case.h"
+#include "page/rejected_verdict.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -82,6 +83,12 @@ namespace {
 
 using TextOfTable = QString (ResultTable::*)() const;
 
+/// What is to be known before what is copied is used.
+QString warningOf(const SceneModel& model) {
+    const QString stop = model.stopText();
+    return stop.isEmpty() ? messageText(rejectedNote(model)) : stop;
+}
+
 /// The parts of the answer in their order: tables as text, and their lines.
 QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
     QString text;
@@ -90,6 +97,7 @@ QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
         return text;
     }
     const SceneModel& model = *views.front()->partModel();
+    text = ResultTable::lineAbove(warningOf(model), !withLines);
     for (const PagePart& part : model.parts()) {
         if (!part.isAnswer) {
             continue;
@@ -106,7 +114,8 @@ QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
             }
         }
     }
-    if (const auto verdict = withLines ? model.verdictShown() : std::nullopt) {
+    if (const auto verdict =
+            withLines && model.stopText().isEmpty() ? model.verdictShown() : std::nullopt) {
         text += messageText(verdict->text) + QLatin1Char('\n');
     }
     return text;
@@ -134,6 +143,10 @@ PartPlot* partPlot(const QWidget& page, std::string_view id) {
 
 PartTable::PartTable(SceneModel* model, std::string_view id, const QString& name, QWidget* parent)
     : ResultTable(name, parent), PartView(model, id, this) {}
+
+QString PartTable::warning() const {
+    return warningOf(*partModel());
+}
 
 void PartTable::showEvent(QShowEvent* event) {
     ResultTable::showEvent(event);

@@ -94,6 +94,7 @@ class PartTable : public ResultTable, public PartView {
     void clearSpread(bool another) override;
 
   protected:
+    QString warning() const override;
     void showEvent(QShowEvent* event) override;
     void showPart(const Content& content) override;
     void showReference(const Content* content, const QString& name) override;

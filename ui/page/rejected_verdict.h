@@ -10,18 +10,23 @@
 
 namespace ravnoves {
 
-/// The verdict of a page; while entries are rejected it says that it is of the values before.
+/// Says that results are of the values before rejected entries; empty without any.
+inline Message rejectedNote(const SceneModel& model) {
+    if (!model.hasRejected() || !model.isOutdated()) {
+        return {};
+    }
+    const auto* table = qobject_cast<const TableEditor*>(model.rejectedIn().front());
+    const bool isOne = model.rejectedIn().size() == 1 &&
+                       (table == nullptr || table->table()->rejectedCount() <= 1);
+    return isOne ? Text::tr("Results use the previous value of the red field.")
+                 : Text::tr("Results use the previous values of the red fields.");
+}
+
+/// The verdict of a page, with that note.
 inline Verdict withRejected(Verdict verdict, const SceneModel& model) {
-    if (model.hasRejected()) {
-        const auto* table = qobject_cast<const TableEditor*>(model.rejectedIn().front());
-        const bool isOne = model.rejectedIn().size() == 1 &&
-                           (table == nullptr || table->table()->rejectedCount() <= 1);
+    if (const Message note = rejectedNote(model); !note.empty()) {
         verdict.severity = std::max(verdict.severity, Severity::warning);
-        verdict.text =
-            Message(Text{"%1 %2"},
-                    isOne ? Text::tr("Results use the previous value of the red field.")
-                          : Text::tr("Results use the previous values of the red fields."),
-                    verdict.text);
+        verdict.text = Message(Text{"%1 %2"}, note, verdict.text);
     }
     return verdict;
 }

@@ -473,8 +473,13 @@ QString ResultTable::asCsv() const {
     return joined(CsvFormat().separator, false);
 }
 
+QString ResultTable::lineAbove(const QString& text, bool asCsv) {
+    return text.isEmpty() ? text : (asCsv ? CsvFormat().field(text) : text) + QLatin1Char('\n');
+}
+
 void ResultTable::copy(bool selectionOnly) const {
-    QApplication::clipboard()->setText(joined(QLatin1Char('\t'), selectionOnly));
+    QApplication::clipboard()->setText(lineAbove(warning(), false) +
+                                       joined(QLatin1Char('\t'), selectionOnly));
 }
 
 void ResultTable::paintEvent(QPaintEvent* event) {
@@ -514,8 +519,9 @@ void ResultTable::contextMenuEvent(QContextMenuEvent* event) {
     menu.addAction(tr("Copy selection"), this, [this] { copy(true); })
         ->setEnabled(!selectedItems().isEmpty());
     menu.addAction(tr("Copy table as text"), this, [this] { copy(false); });
-    menu.addAction(tr("Copy table as CSV"), this,
-                   [this] { QApplication::clipboard()->setText(asCsv()); });
+    menu.addAction(tr("Copy table as CSV"), this, [this] {
+        QApplication::clipboard()->setText(lineAbove(warning(), true) + asCsv());
+    });
     menu.exec(event->globalPos());
 }
 

@@ -55,6 +55,8 @@ class ResultTable : public QTableWidget {
 
     QString asText() const;  ///< the whole table, tab-separated
     QString asCsv() const;   ///< the whole table, comma-separated, quoted where needed
+    /// A line above tables as text or CSV; nothing without a text.
+    static QString lineAbove(const QString& text, bool asCsv);
     /// Buttons of a dialog that copy the whole table, as text and as CSV.
     void addCopyButtons(QDialogButtonBox* buttons) const;
 
@@ -63,6 +65,8 @@ class ResultTable : public QTableWidget {
     static int plainRowHeight();  ///< without the lines below the numbers
 
   protected:
+    /// Above what a user copies of the table; may be empty.
+    virtual QString warning() const { return {}; }
     void paintEvent(QPaintEvent* event) override;
     /// The frame of the focus does not scroll.
     void scrollContentsBy(int across, int down) override;

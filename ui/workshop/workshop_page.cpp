@@ -180,10 +180,7 @@ JobDesk* WorkshopPage::desk() const {
 }
 
 void WorkshopPage::showVerdict() {
-    Verdict verdict = model_->verdictShown().value();
-    if (model_->isOutdated()) {
-        verdict = withRejected(std::move(verdict), *model_);
-    }
+    const Verdict verdict = withRejected(model_->verdictShown().value(), *model_);
     verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
                             : verdict.act == workshop::drilled_act ? tr("Correct the drilled holes")
                                                                    : QString());

@@ -429,6 +429,9 @@ TEST_F(BalanceShaftPageTest, WhileAnEntryIsRedTheVerdictSaysWhoseResultsTheyAre)
     type("crank_radius_mm", QStringLiteral("-1"));
     EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
     EXPECT_EQ(verdict->height(), height) << "no field moves under the hand";
+    for (const QString& copied : {page.resultsAsText(), page.resultsAsCsv()}) {
+        EXPECT_TRUE(copied.startsWith(QStringLiteral("Results use the previous value")));
+    }
     const QString distance = field("centre_distance_mm")->text();
     type("centre_distance_mm", QStringLiteral("-1"));
     EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous values of the red fields")));

@@ -1099,7 +1099,7 @@ TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
     // The tab says so, wherever one is.
     show(JobTab);
     EXPECT_EQ(sheets->tabBar()->tabTextColor(PartsTab), Theme::instance().error());
-    EXPECT_TRUE(page.resultsAsText().startsWith(label("rejected")));
+    EXPECT_TRUE(begins(page.resultsAsText(), u"STOP. Entries not accepted: One piston"_s));
     EXPECT_TRUE(saveAnd(u"Continue"_s).contains(u"One piston"_s));
     ASSERT_EQ(jobs().size(), 1);
     EXPECT_FALSE(jobs().at(0).isFinished);
@@ -1120,9 +1120,15 @@ TEST_F(ReadJobTest, ARejectedEntryStopsThePlanAsADoubtDoes) {
         EXPECT_EQ(page.writeCard(file), QString());
         return textOfPdf(file);
     };
+    auto* planes = dynamic_cast<PartTable*>(partView(page, "planes"));
+    const auto copied = [&] {
+        QTest::keyClick(planes, Qt::Key_C, Qt::ControlModifier);
+        return QGuiApplication::clipboard()->text();
+    };
     const int holes = rowsOf("Holes and slugs");
     EXPECT_GT(holes, 0);
     EXPECT_TRUE(hasAll(printed(), {u"2600.0"_s, u"591.25"_s}));
+    EXPECT_FALSE(has(page.resultsAsText() + page.resultsAsCsv() + copied() + printed(), u"STOP"_s));
     type("mass_piston_1", u"59x"_s);
     type("unbalance_1", u"26x0"_s);
     EXPECT_EQ(rowsOf("Holes and slugs"), 0);
@@ -1131,6 +1137,10 @@ TEST_F(ReadJobTest, ARejectedEntryStopsThePlanAsADoubtDoes) {
     EXPECT_TRUE(begins(label("hole_note"), u"STOP"_s));
     EXPECT_TRUE(begins(label("rejected"), u"Result outdated: "_s));
     EXPECT_TRUE(field("run_1_unbalance_1")->isEnabled()) << "the holes may have been drilled";
+    const QString stop = u"STOP. Entries not accepted: "_s;
+    EXPECT_TRUE(begins(page.resultsAsText(), stop));
+    EXPECT_TRUE(begins(page.resultsAsCsv().remove(u'"'), stop));
+    EXPECT_TRUE(begins(copied(), stop));
     // The values before are not on the card, each page of which says STOP.
     const QStringList pages = printed().split(u'\f', Qt::SkipEmptyParts);
     EXPECT_EQ(pages.size(), 2);
@@ -1144,7 +1154,13 @@ TEST_F(ReadJobTest, ARejectedEntryStopsThePlanAsADoubtDoes) {
     type("unbalance_1", u"2600"_s);
     type("mass_piston_1", u"591.25"_s);
     EXPECT_EQ(rowsOf("Holes and slugs"), holes);
+    // A doubt is the first line, too, and once.
     type("radius_1", u"8.5"_s);
+    const QString doubted = label("verdict");
+    EXPECT_TRUE(begins(doubted, u"STOP. "_s));
+    EXPECT_TRUE(begins(page.resultsAsText().replace(QChar(0x00A0), u' '), doubted));
+    EXPECT_EQ(page.resultsAsText().count(u"STOP. "_s), 1);
+    EXPECT_TRUE(has(page.resultsAsCsv(), u"STOP. "_s));
     for (const QString& each : printed().split(u'\f', Qt::SkipEmptyParts)) {
         EXPECT_TRUE(has(each, u"STOP"_s));
     }

@@ -311,6 +311,16 @@ const WorkshopModel& WorkshopModel::shown() const {
     return *stopped_;
 }
 
+QString WorkshopModel::stopText() const {
+    QStringList said;
+    for (const WorkshopModel* each : {isOutdated() ? &shown() : nullptr, this}) {
+        if (each != nullptr && each->withheld().any()) {
+            said << messageText(each->solved().verdict.text);
+        }
+    }
+    return said.join(QLatin1Char(' '));
+}
+
 bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
     if (key != QLatin1String("sheet")) {
         return false;

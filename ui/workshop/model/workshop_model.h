@@ -104,6 +104,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void setRejected(const QStringList& rejected, const std::vector<std::string>& places = {});
     /// The answer is of the values before them.
     bool isOutdated() const override { return !rejected_.isEmpty() && hasAnswer(); }
+    QString stopText() const override;
     /// The job without an answer, as a doubt would stop it: nothing can be set or drilled by the
     /// values before rejected entries. These values are left out.
     std::unique_ptr<WorkshopModel> stoppedBy(const QString& why) const;

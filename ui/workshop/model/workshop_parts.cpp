@@ -299,11 +299,12 @@ std::vector<AnswerLine> answerLines(const WorkshopModel& model) {
     const bool hasFactor = model.solution().bob_weight && !model.hasPlugs();
     const WorkshopModel& shown = model.shown();
     std::vector<AnswerLine> lines{
-        {"rejected", Severity::warning, {model.rejectedText()}},
+        // The page alone shows these two apart: the first line of a copy, tables and verdict have
+        // them.
+        {"rejected", Severity::warning, {model.rejectedText()}, {}},
         {"headline",
          model.withheld().bob_weight ? Severity::error : Severity::note,
          {model.headline()}},
-        // The page alone says it apart from tables and verdict.
         {"correction", Severity::note, {shown.correctionText()}, {}},
         {"hang", Severity::note, {model.hangText()}},
         {"factor", Severity::note, {hasFactor ? model.factorText() : QString()}},
