@@ -11,6 +11,7 @@
 #include "balance-shaft/mechanism.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
+#include "pictures/model/pixel.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"
@@ -62,9 +63,16 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const
     }
     constexpr double apart = 7.0;  // lines of the hatch, pixels
     painter.fillPath(path, faint(theme.panel(), 0.38));
-    paintLines(painter, {{QPen(faint(theme.text(), 0.3), 1.0),
-                          hatchLines(path, plot.plotArea(), apart, 1.0)},
-                         edges});
+    // Lines at 45° need no smoothing, which takes most of a turn of the wheel.
+    const bool onPixels = paintsPixels(painter);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, !onPixels);
+    painter.setPen(QPen(faint(theme.text(), 0.3), onPixels ? 0.0 : 1.0));
+    for (const QPolygonF& line : hatchLines(path, plot.plotArea(), apart, 1.0)) {
+        painter.drawPolyline(line);
+    }
+    painter.restore();
+    paintLines(painter, {edges});
 }
 
 void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits, const PlotView& plot) {
@@ -145,15 +153,16 @@ void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlotVie
     painter.setPen(QPen(line, 1.1));
     painter.setBrush(metal);
     for (const double side : {-1.0, 1.0}) {
-        painter.drawRect(QRectF(frame.at(e + side * bore / 2, sizes.cylinder_top),
-                                frame.at(e + side * (bore / 2 + wall), sizes.cylinder_bottom))
-                             .normalized());
+        paintBlock(painter,
+                   QRectF(frame.at(e + side * bore / 2, sizes.cylinder_top),
+                          frame.at(e + side * (bore / 2 + wall), sizes.cylinder_bottom)),
+                   0.0);
     }
     const double height = 0.75 * bore;
     const double top = std::min(pose.piston_pin.y + 0.45 * height, sizes.cylinder_top);
     painter.setBrush(faint(drawing::brightMetal(), 0.72));
-    painter.drawRoundedRect(
-        QRectF(frame.at(e - bore / 2, top), frame.at(e + bore / 2, top - height)), 3, 3);
+    paintBlock(painter, QRectF(frame.at(e - bore / 2, top), frame.at(e + bore / 2, top - height)),
+               3.0);
     painter.setPen(QPen(line, 1.0));
     painter.setBrush(Qt::NoBrush);
     drawCircle(painter, crank, frame.length(sizes.crank_swing_radius));

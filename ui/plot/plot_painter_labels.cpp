@@ -20,9 +20,15 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
     const QRectF& area = data_.area;
     painter.setRenderHint(QPainter::Antialiasing);
     if (data_.faded) {
-        painter.fillRect(
-            QRectF(QPointF(0.0, data_.headerHeight), QPointF(size_.width(), size_.height())),
-            veil(theme.panel(), 0.62F));
+        // In strips: for a high rectangle that lets through Qt wakes threads and waits for them.
+        constexpr int strip = 32;
+        QRect rest =
+            QRectF(QPointF(0.0, data_.headerHeight), size_ - QSizeF(0.0, data_.headerHeight))
+                .toAlignedRect();
+        for (; rest.height() > 0; rest.setTop(rest.top() + strip)) {
+            painter.fillRect(rest.left(), rest.top(), rest.width(), std::min(strip, rest.height()),
+                             veil(theme.panel(), 0.62F));
+        }
     }
     painter.save();
     painter.setClipRect(area);
