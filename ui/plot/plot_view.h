@@ -154,7 +154,7 @@ class PlotView : public QWidget {
     void chartChanged();
     void layoutHeader();
     void layoutChart();
-    /// Title, grid and axes, with what is behind them.
+    /// Title, grid and axes, over the ground.
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter);
     void paintAxesPicture();
