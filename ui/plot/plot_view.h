@@ -181,6 +181,7 @@ class PlotView : public QWidget {
     QList<PlotView*> stack_;  ///< those whose charts are aligned with this one
     bool pickable_ = false;
     bool picking_ = false;
+    std::optional<double> pickedFrom_;  ///< present value before the last click
     bool wentTo_ = false;  ///< the focus came, when it last did, because the user went to it
     std::optional<QPointF> panFrom_;
 

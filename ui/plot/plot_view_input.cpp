@@ -49,6 +49,7 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
     if (inside && pickable_ && event->button() == Qt::LeftButton &&
         !event->modifiers().testFlag(Qt::ShiftModifier)) {
         picking_ = true;
+        pickedFrom_ = data_.presentX;
         pick(event->position());
     } else if (inside &&
                (event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton)) {
@@ -85,11 +86,14 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (pickable_) {
+    if (pickable_ && !data_.zoomed) {
         mousePressEvent(event);
-    } else {
-        resetZoom();
+        return;
     }
+    if (pickable_ && pickedFrom_) {
+        Q_EMIT picked(*pickedFrom_);  // the first of the two clicks was not meant to choose
+    }
+    resetZoom();
 }
 
 void PlotView::pick(const QPointF& position) {

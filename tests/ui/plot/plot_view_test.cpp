@@ -154,6 +154,15 @@ TEST_F(PlotViewTest, PicksOnlyWherePickable) {
     QTest::mouseClick(&plot, Qt::LeftButton, {}, at(200, 0));
     ASSERT_EQ(picked.size(), 1);
     EXPECT_NEAR(picked.last().first().toDouble(), 200.0, 1.5);
+    // A double click shows all of a zoomed plot, and what its first click chose is taken back.
+    const auto whole = plot.data().x.interval();
+    plot.setPresentX(100.0);
+    test::turnWheel(&plot, at(180, 0), 3);
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, at(200, 0));
+    QTest::mouseDClick(&plot, Qt::LeftButton, {}, at(200, 0));
+    plot.grab();
+    EXPECT_EQ(plot.data().x.interval(), whole);
+    EXPECT_EQ(picked.last().first().toDouble(), 100.0);
 }
 
 TEST_F(PlotViewTest, LegendSwitchesCurves) {
