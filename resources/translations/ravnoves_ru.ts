@@ -14260,6 +14260,10 @@ but at this l no α is feasible</source>
         <translation>&amp;Остаться</translation>
     </message>
     <message>
+        <source>These entries were not accepted and are left out:</source>
+        <translation>Эти значения не приняты и опущены:</translation>
+    </message>
+    <message>
         <source>These entries were not accepted; the previous values are used:</source>
         <translation>Эти значения не приняты; используются прежние:</translation>
     </message>

@@ -99,6 +99,8 @@ class SceneModel : public QObject {
     virtual std::optional<Verdict> verdictShown() const { return std::nullopt; }
     /// Results are of the values before rejected entries.
     virtual bool isOutdated() const { return hasRejected(); }
+    /// Where nothing may be done by the values before them they go, too, as a step of the history.
+    virtual void leaveOutRejected() {}
     /// Why nothing may be done by the answer, as the first line of a copy; empty where it may.
     virtual QString stopText() const { return {}; }
     /// The variant that the case is seen against.

@@ -79,7 +79,11 @@ QString rejectedWords(const QWidget* part) {
     if (rejected.isEmpty()) {
         return {};
     }
-    return RejectedEntries::tr("These entries were not accepted; the previous values are used:") +
+    const auto* model = pageOf(part)->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly);
+    return (model != nullptr && !model->stopText().isEmpty()
+                ? RejectedEntries::tr("These entries were not accepted and are left out:")
+                : RejectedEntries::tr(
+                      "These entries were not accepted; the previous values are used:")) +
            QStringLiteral("\n\n") + rejected.join(QLatin1Char('\n'));
 }
 

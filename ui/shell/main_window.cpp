@@ -108,9 +108,16 @@ MainWindow::~MainWindow() {
 }
 
 bool MainWindow::mayRenew(const QString& title) {
-    return std::ranges::all_of(documents_->all(), [&](const auto& each) {
-        return continueWithoutRejected(each->page, title, documents_->nameOf(*each));
-    });
+    const auto& documents = documents_->all();
+    if (!std::ranges::all_of(documents, [&](const auto& each) {
+            return continueWithoutRejected(each->page, title, documents_->nameOf(*each));
+        })) {
+        return false;
+    }
+    for (const auto& each : documents) {
+        each->page->model()->leaveOutRejected();  // a page that is made again does not know them
+    }
+    return true;
 }
 
 void MainWindow::renew() {

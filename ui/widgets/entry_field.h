@@ -80,6 +80,11 @@ class EntryField : public QLineEdit {
     /// How a text was read that may mean something else; said until the value is another.
     void showHowRead(const QString& note);
     void showValue();
+    /// Another value is below the text that waits.
+    void keepBelow() {
+        keepValue();
+        shown_ = written();
+    }
     /// The text is the value's, and the field has no focus.
     bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
     void endEditing();
@@ -145,6 +150,7 @@ class ValueEntry : public EntryField {
             showHowRead({});
         }
         if ((wasNone || isNone(value_)) && !trouble().isEmpty()) {
+            keepBelow();
             return;  // the value was moved elsewhere; the text typed for it still waits
         }
         if (isEditing() && trouble().isEmpty() && text().isEmpty()) {

@@ -281,9 +281,18 @@ void CorrectionSheet::addHoleRow() {
         return made;
     };
     const auto numberOf = [&](const Field& field, double DrilledHole::*member, const char* key) {
-        NumberField* made =
-            cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1),
-                 [&field](const Words& words) { return words.name(field); });
+        NumberField* made = cell(
+            field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1),
+            [this, row, &field](const Words& words) {
+                const DrilledHole* hole = holeAt(model_->input(), row);
+                return (hole != nullptr
+                            ? model_->drilledName(words, holePlaces(model_->input())[row].run) +
+                                  QStringLiteral(", ") +
+                                  model_->planeName(static_cast<std::size_t>(hole->plane), words) +
+                                  QStringLiteral(": ")
+                            : QString()) +
+                       words.name(field);
+            });
         made->setMinimumWidth(Theme::withText(50));
         constexpr int seen = 5;  // of an angle that was planned
         made->setDigits(seen);
@@ -303,6 +312,7 @@ void CorrectionSheet::addHoleRow() {
                     measure(step, [&](DrilledHole& hole) { hole.*member = turned(hole, *value); });
                 }
             });
+        made->setOptional(false);  // no depth is none, not that before
         trouble_->watch(made);
         return made;
     };

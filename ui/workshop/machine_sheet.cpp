@@ -316,8 +316,7 @@ void MachineSheet::buildMachine() {
     section(tr("Balancing machine"));
     checked(
         workshop::field::plane_names,
-        {planeNames,
-         [](const QString&) { return tr("Type two names, such as left / right."); },
+        {planeNames, [](const QString&) { return tr("Type two names, such as left / right."); },
          [this] {
              const auto& names = model_->input().machine.planes;
              return planeNames(QString::fromStdString(names[0]) + QLatin1Char('/') +
@@ -328,9 +327,7 @@ void MachineSheet::buildMachine() {
              model_->edit(step, [&](workshop::Input& job) {
                  job.machine.planes = {names.value(0).toStdString(), names.value(1).toStdString()};
              });
-         },
-         {},
-         false});
+         }});
     wide(choice("/machine/counts"), 240);
     wide(choice("/machine/shows"), 240);
     text("/machine/zero");

@@ -525,7 +525,9 @@ bool WorkshopPage::store(bool isFinished) {
     }
     bool saved = false;
     // What is not what is on the sheet is no finished job.
-    const QString text = desk()->saveJob(&saved, isFinished && rejectedEntries(this).isEmpty());
+    const bool isWhole = rejectedEntries(this).isEmpty();
+    model_->leaveOutRejected();
+    const QString text = desk()->saveJob(&saved, isFinished && isWhole);
     Q_EMIT status(saved ? text : QString());
     if (saved) {
         say({});

@@ -298,6 +298,13 @@ Job WorkshopModel::withoutRejected() const {
     }
 }
 
+void WorkshopModel::leaveOutRejected() {
+    if (isOutdated()) {
+        edit(tr("Entries not accepted"),
+             [without = withoutRejected()](Job& job) { job = without; });
+    }
+}
+
 const WorkshopModel& WorkshopModel::shown() const {
     if (!isOutdated()) {
         return *this;

@@ -104,6 +104,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void setRejected(const QStringList& rejected, const std::vector<std::string>& places = {});
     /// The answer is of the values before them.
     bool isOutdated() const override { return !rejected_.isEmpty() && hasAnswer(); }
+    void leaveOutRejected() override;
     QString stopText() const override;
     /// The job without an answer, as a doubt would stop it: nothing can be set or drilled by the
     /// values before rejected entries. These values are left out.
@@ -275,6 +276,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results drilledResults(const Words& words = {}) const;
     /// A hole or slug of the record after a run: "Run 1: ⌀ 10 mm".
     QString drilledName(std::size_t run, const bob_weights::DrilledHole& hole) const;
+    QString drilledName(const Words& words, std::size_t run) const;
     Results runResults() const;  ///< nothing where there is but one run
     /// What the machine read, where that was not in the planes; empty where it was.
     QString asReadNote() const;
@@ -350,7 +352,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     static QString readingsMissing() { return tr("Enter the readings of both planes."); }
     /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
     bool isOriginUnknown() const;
-    QString drilledName(const Words& words, std::size_t run) const;
     /// The values that the answer lacks: "oil in a crankpin mₘ", "oil coefficient kₘ".
     QStringList missingForPlugs(const Words& words, bool withBobWeight) const;
     /// Rules broken by engine and plug.
