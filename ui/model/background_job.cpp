@@ -57,27 +57,20 @@ void BackgroundJob::launch() {
     }
     stop_ = std::make_shared<std::atomic<bool>>(false);
     clock_.start();
-    {
-        const std::lock_guard lock(mutex_);
-        work_ = std::exchange(pending_, nullptr);
-    }
     if (thread_.joinable()) {
         thread_.join();  // it has told its end
     }
+    const auto work = std::make_shared<Work>(std::exchange(pending_, nullptr));
+    const auto runs = [this, work, stop = stop_] { run(*work, stop); };
     try {
-        thread_ = std::thread(&BackgroundJob::run, this, stop_);
+        thread_ = std::thread(runs);
     } catch (const std::system_error&) {
-        run(stop_);  // no memory for its stack, or as many threads as this user may have
+        runs();  // no memory for its stack, or as many threads as this user may have
     }
 }
 
-void BackgroundJob::run(const std::shared_ptr<std::atomic<bool>>& stop) {
+void BackgroundJob::run(Work& work, const std::shared_ptr<std::atomic<bool>>& stop) {
     stopOfWork_ = stop;
-    Work work;
-    {
-        const std::lock_guard lock(mutex_);
-        work = std::exchange(work_, nullptr);
-    }
     QElapsedTimer sinceReport;
     sinceReport.start();
     const auto report = [&](double part) {

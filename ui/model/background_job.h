@@ -13,8 +13,8 @@
 namespace ravnoves {
 
 /// Runs one computation at a time off the GUI thread, with progress and cancel. The latest start
-/// replaces the running one. One mutex guards all exchange between the threads, where a checker of
-/// threads sees it (preset `tsan`). Without a thread from the machine, this object's does the work.
+/// replaces the running one. One mutex guards what a thread reports, where a checker of threads
+/// sees it (preset `tsan`). Without a thread from the machine, this object's does the work.
 class BackgroundJob : public QObject {
     Q_OBJECT
 
@@ -53,7 +53,7 @@ class BackgroundJob : public QObject {
   private:
     void launch();
     /// In the thread of the work.
-    void run(const std::shared_ptr<std::atomic<bool>>& stop);
+    void run(Work& work, const std::shared_ptr<std::atomic<bool>>& stop);
     /// From there: to be told in the thread of this object.
     void post(std::function<void()> telling);
     void tell();
@@ -67,8 +67,7 @@ class BackgroundJob : public QObject {
     int patienceMs_ = -1;
     bool untilRest_ = false;
     bool running_ = false;
-    std::mutex mutex_;  ///< of work_ and told_
-    Work work_;         ///< to be run
+    std::mutex mutex_;  ///< of reports_
     std::vector<std::function<void()>> reports_;
     std::thread thread_;                             ///< of one run
     std::shared_ptr<std::atomic<bool>> stopOfWork_;  ///< the thread's own

@@ -66,19 +66,11 @@ QString mixedDecimalSigns(const std::vector<QStringList>& cells) {
                      .arg(comma, point);
 }
 
-void SaidTroubles::add(const QString& line) {
-    constexpr int maximum = 3;
-    if (lines_.size() < maximum) {
-        lines_ << line;
-    } else {
-        ++more_;
-    }
-}
-
-QString SaidTroubles::text(const QString& others) const {
-    QStringList all = lines_;
-    if (more_ > 0) {
-        all << others.arg(more_);
+QString saidTroubles(const QStringList& lines) {
+    constexpr qsizetype maximum = 3;
+    QStringList all = lines.mid(0, maximum);
+    if (lines.size() > maximum) {
+        all << EditableTable::tr("Also not accepted: %1").arg(lines.size() - maximum);
     }
     return all.join(QLatin1Char('\n'));
 }
@@ -170,11 +162,11 @@ std::vector<EditableTable::Cell> EditableTable::rejectedCells() const {
 }
 
 QString EditableTable::trouble() const {
-    SaidTroubles troubles;
+    QStringList troubles;
     for (const Cell& cell : rejectedCells()) {
-        troubles.add(rejectedText(cell, rejected_.at(cell)));
+        troubles << rejectedText(cell, rejected_.at(cell));
     }
-    return troubles.text(tr("Also not accepted: %1"));
+    return saidTroubles(troubles);
 }
 
 QVariant EditableTable::rejectedData(const QModelIndex& at, int role) const {

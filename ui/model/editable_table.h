@@ -30,16 +30,7 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty = Em
 QString mixedDecimalSigns(const std::vector<QStringList>& cells);
 
 /// The faults in the cells of a table, as text: the first few, and the number of the others.
-class SaidTroubles {
-  public:
-    void add(const QString& line);
-    /// @param others  names the number of the others, %1
-    QString text(const QString& others) const;
-
-  private:
-    QStringList lines_;
-    int more_ = 0;
-};
+QString saidTroubles(const QStringList& lines);
 
 /// A table of numbers that is edited in place. A rejected text remains in its cell, in red, until
 /// it is corrected or the case changes there; the case keeps its previous value.

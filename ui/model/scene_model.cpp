@@ -216,15 +216,6 @@ int SceneModel::oneOf(const QString& key, const QString& value, const QStringLis
     return static_cast<int>(place);
 }
 
-int SceneModel::oneOf(const QString& key, const QString& value,
-                      std::initializer_list<const char*> words) {
-    QStringList list;
-    for (const char* word : words) {
-        list << QLatin1String(word);
-    }
-    return oneOf(key, value, list);
-}
-
 FieldEntry SceneModel::describedField(std::string_view pointer) const {
     const std::vector<FieldEntry> found = describedFields(pointer);
     RAVNOVES_DEMAND(!found.empty(), "a form's field is in the input");

@@ -6,7 +6,6 @@
 #include <QStringList>
 #include <QUndoStack>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -290,8 +289,6 @@ class SceneModel : public QObject {
     static double readNumber(const QString& key, const QString& value);
     /// Place of the value among the words. @throws InputError that names them
     static int oneOf(const QString& key, const QString& value, const QStringList& words);
-    static int oneOf(const QString& key, const QString& value,
-                     std::initializer_list<const char*> words);
     static QString newName() { return tr("New case"); }
     /// Of an engine that was a preset or an example, and is not any more. In every language the
     /// same, as a file has it; titleText() says it.

@@ -123,10 +123,11 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
         setExaggeration(value == QLatin1String("auto") ? std::nullopt
                                                        : std::optional(readNumber(key, value)));
     } else if (key == QLatin1String("guide_shown")) {
-        setShownHinge(static_cast<Hinge>(oneOf(key, value, {"crank", "crank-with-rod", "rod"})));
+        setShownHinge(static_cast<Hinge>(
+            oneOf(key, value, QStringLiteral("crank crank-with-rod rod").split(QLatin1Char(' ')))));
     } else if (key == QLatin1String("animate")) {
-        setAnimated(
-            static_cast<Animated>(oneOf(key, value, {"none", "crank", "both", "off-design"})));
+        setAnimated(static_cast<Animated>(oneOf(
+            key, value, QStringLiteral("none crank both off-design").split(QLatin1Char(' ')))));
     } else {
         return false;
     }

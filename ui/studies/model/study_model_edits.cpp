@@ -68,14 +68,14 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
         return trouble_;
     }
     Study next = study_;
-    SaidTroubles troubles;
+    QStringList troubles;
     for (const auto& [pointer, text] : texts) {
         const QString why = readScatter(next, pointer, text);
         if (!why.isEmpty()) {
-            troubles.add(texts.size() > 1 ? inputName(pointer) + QStringLiteral(": ") + why : why);
+            troubles << (texts.size() > 1 ? inputName(pointer) + QStringLiteral(": ") + why : why);
         }
     }
-    QString all = troubles.text(EditableTable::tr("Also not accepted: %1"));
+    QString all = saidTroubles(troubles);
     if (all.isEmpty()) {
         change(tr("Tolerance"), next);
     }

@@ -231,7 +231,7 @@ void WatchTable::removeRowRange(int first, int count) {
 
 QString WatchTable::write(int row, int column, const std::vector<QStringList>& cells) {
     std::vector<studies::Watched> limits;
-    SaidTroubles troubles;
+    QStringList troubles;
     for (const QStringList& line : cells) {
         studies::Watched limit = watched(row);
         for (int i = 0; i < line.size(); ++i) {
@@ -241,14 +241,14 @@ QString WatchTable::write(int row, int column, const std::vector<QStringList>& c
             const QString why = model_->readLimit(limit.pointer, line[i],
                                                   column + i == Minimum ? limit.min : limit.max);
             if (!why.isEmpty()) {
-                troubles.add(cells.size() > 1 ? text(row, Name, false) + QStringLiteral(": ") + why
+                troubles << (cells.size() > 1 ? text(row, Name, false) + QStringLiteral(": ") + why
                                               : why);
             }
         }
         limits.push_back(limit);
         ++row;
     }
-    QString all = troubles.text(EditableTable::tr("Also not accepted: %1"));
+    QString all = saidTroubles(troubles);
     return all.isEmpty() ? model_->setLimits(limits) : all;
 }
 

@@ -332,8 +332,9 @@ bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
     if (key != QLatin1String("sheet")) {
         return false;
     }
-    Q_EMIT sheetChosen(
-        oneOf(key, value, {"job", "parts", "weigh-in", "plugs", "machine", "correction"}));
+    Q_EMIT sheetChosen(oneOf(
+        key, value,
+        QStringLiteral("job parts weigh-in plugs machine correction").split(QLatin1Char(' '))));
     return true;
 }
 
