@@ -7,7 +7,6 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QRegularExpression>
-#include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
 #include <QSvgRenderer>
@@ -103,7 +102,8 @@ QString markdown(const QString& topic) {
 
 }  // namespace
 
-HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent), topic_(topic) {
+HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) {
+    setWindowTitle(tr("Help"));
     setSizeGripEnabled(true);
     resizeWithText(this, 980, 680);
     QVBoxLayout* column = columnIn(this, 0);
@@ -112,6 +112,8 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent),
     field_ = new QLineEdit(this);
     field_->setObjectName(QStringLiteral("help-search"));
     field_->setClearButtonEnabled(true);
+    field_->setPlaceholderText(tr("Search this page (Ctrl+F, F3)"));
+    field_->setAccessibleName(tr("Search in the help"));
     limitLength(field_, 200);
     row->addWidget(field_, 1);
     found_ = new QLabel(this);
@@ -123,11 +125,13 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent),
     halves->setChildrenCollapsible(false);
     list_ = new QListWidget(halves);
     list_->setObjectName(QStringLiteral("help-list"));
+    list_->setAccessibleName(tr("Pages of the help"));
     list_->setWordWrap(true);
     list_->setResizeMode(QListView::Adjust);
     list_->setSpacing(2);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_ = new HelpText(halves);
+    text_->setAccessibleName(tr("Help"));
     text_->setFrameShape(QFrame::NoFrame);
     text_->setSearchPaths({QStringLiteral(":/help")});
     text_->document()->setDocumentMargin(Theme::margin * 2);
@@ -136,7 +140,19 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent),
     halves->setSizes({Theme::withText(250), Theme::withText(730)});
     column->addWidget(halves, 1);
 
-    renew();
+    QStringList topics;
+    for (const SceneInfo& info : sceneList()) {
+        topics << info.name;
+    }
+    topics << QStringLiteral("case-files") << QStringLiteral("variants")
+           << QStringLiteral("tolerances") << QStringLiteral("keys");
+    static const QRegularExpression signs(QStringLiteral("^#+ *"));
+    for (const QString& each : topics) {
+        const QString heading = markdown(each).section(QLatin1Char('\n'), 0, 0).remove(signs);
+        auto* item = new QListWidgetItem(heading, list_);
+        item->setData(Qt::UserRole, each);
+    }
+    showPage(topic);
     connect(field_, &QLineEdit::textChanged, this, [this] {
         text_->moveCursor(QTextCursor::Start);
         find(false);
@@ -157,9 +173,9 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent),
         key(each, [this] { find(false); });
         key(Qt::SHIFT | each, [this] { find(true); });
     }
-    connect(&Theme::instance(), &Theme::changed, this, &HelpWindow::renew);
-    connect(&Preferences::instance(), &Preferences::changed, this, &HelpWindow::renew,
-            Qt::QueuedConnection);
+    // What it shows is in one language and in the colours of one theme.
+    connect(&Theme::instance(), &Theme::changed, this, &QDialog::close);
+    connect(&Preferences::instance(), &Preferences::changed, this, &QDialog::close);
     text_->setFocus();
 }
 
@@ -171,35 +187,7 @@ void HelpWindow::goTo(const QString& topic) {
     activateWindow();
 }
 
-void HelpWindow::renew() {
-    setWindowTitle(tr("Help"));
-    text_->setAccessibleName(tr("Help"));
-    list_->setAccessibleName(tr("Pages of the help"));
-    field_->setPlaceholderText(tr("Search this page (Ctrl+F, F3)"));
-    field_->setAccessibleName(tr("Search in the help"));
-    const int place = text_->verticalScrollBar()->value();
-    {
-        const QSignalBlocker quiet(list_);
-        list_->clear();
-        QStringList topics;
-        for (const SceneInfo& info : sceneList()) {
-            topics << info.name;
-        }
-        topics << QStringLiteral("case-files") << QStringLiteral("variants")
-               << QStringLiteral("tolerances") << QStringLiteral("keys");
-        static const QRegularExpression signs(QStringLiteral("^#+ *"));
-        for (const QString& topic : topics) {
-            const QString heading = markdown(topic).section(QLatin1Char('\n'), 0, 0).remove(signs);
-            auto* item = new QListWidgetItem(heading, list_);
-            item->setData(Qt::UserRole, topic);
-        }
-    }
-    showPage(topic_);
-    text_->verticalScrollBar()->setValue(place);
-}
-
 void HelpWindow::showPage(const QString& topic) {
-    topic_ = topic;
     found_->clear();
     const QString text = markdown(topic);
     QTextDocument* document = text_->document();

@@ -10,7 +10,8 @@ class QTextBrowser;
 
 namespace ravnoves {
 
-/// The in-program help: its pages, one of them shown, and a search in that.
+/// The in-program help: its pages, one of them shown, and a search in that. It closes when language
+/// or theme change.
 class HelpWindow : public QDialog {
     Q_OBJECT
 
@@ -21,13 +22,10 @@ class HelpWindow : public QDialog {
     void goTo(const QString& topic);
 
   private:
-    /// In the present language and theme.
-    void renew();
     void showPage(const QString& topic);
     /// Moves to the next or previous place of the searched text, wrapping round the page.
     void find(bool backwards);
 
-    QString topic_;
     QLineEdit* field_;
     QLabel* found_;
     QListWidget* list_;
