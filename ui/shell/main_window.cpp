@@ -186,23 +186,23 @@ bool MainWindow::showScene(const QString& name) {
 }
 
 bool MainWindow::isAtStart() const {
-    return start_ != nullptr && front_->currentWidget() == start_;
+    return start_ != nullptr;
 }
 
 void MainWindow::showStart() {
-    if (start_ == nullptr) {
-        start_ = new StartPage(front_);
-        front_->addWidget(start_);
-        connect(start_, &StartPage::sceneRequested, this, &MainWindow::goToScene);
-        connect(start_, &StartPage::newRequested, this, &MainWindow::beginOrSayWhy);
-        connect(start_, &StartPage::openRequested, this,
-                [this](const QString& path) { openOrSayWhy({path}); });
-        connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
-        connect(start_, &StartPage::journalRequested, this,
-                [this] { showWorkshop()->showJournal(); });
-        connect(start_, &StartPage::jobRequested, this,
-                [this](qint64 id) { showWorkshop()->openJob(id); });
+    if (isAtStart()) {
+        return;
     }
+    start_ = new StartPage(front_);
+    front_->addWidget(start_);
+    connect(start_, &StartPage::sceneRequested, this, &MainWindow::goToScene);
+    connect(start_, &StartPage::newRequested, this, &MainWindow::beginOrSayWhy);
+    connect(start_, &StartPage::openRequested, this,
+            [this](const QString& path) { openOrSayWhy({path}); });
+    connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
+    connect(start_, &StartPage::journalRequested, this, [this] { showWorkshop()->showJournal(); });
+    connect(start_, &StartPage::jobRequested, this,
+            [this](qint64 id) { showWorkshop()->openJob(id); });
     if (documents_->hasCurrent()) {
         currentPage()->setActive(false);
     }
@@ -214,6 +214,7 @@ void MainWindow::showStart() {
 void MainWindow::leaveStart() {
     if (isAtStart()) {
         front_->setCurrentWidget(documents_);
+        std::exchange(start_, nullptr)->deleteLater();  // a button of it may be what was pressed
         if (QWidget* field = currentPage()->focusWidget()) {
             field->setFocus(Qt::OtherFocusReason);
         }
@@ -254,9 +255,7 @@ void MainWindow::goToScene(const QString& scene) {
 
 bool MainWindow::newCase(const QString& scene, bool isFirst) {
     const std::vector<NewCase> cases = newCases();
-    const auto first = std::ranges::find_if(cases, [&](const NewCase& each) {
-        return each.scene == scene && each.kind == NewCase::Kind::Empty;
-    });
+    const auto first = std::ranges::find(cases, scene, &NewCase::scene);
     return first != cases.end() && newCase(first->make(), isFirst).isEmpty();
 }
 

@@ -112,7 +112,7 @@ class MainWindow : public QMainWindow {
     QStackedWidget* front_ = nullptr;  ///< the documents, or the start page
     Documents* documents_ = nullptr;
     Recovery* recovery_ = nullptr;  ///< from beginSession() on
-    StartPage* start_ = nullptr;
+    StartPage* start_ = nullptr;    ///< while it is in front
     QAction* startAction_ = nullptr;
     std::vector<QAction*> scenes_;  ///< in the order of the navigation
     QAction* save_ = nullptr;

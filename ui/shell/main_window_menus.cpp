@@ -308,7 +308,7 @@ void MainWindow::fillNewMenu() {
     newMenu_->clear();
     for (const NewCase& each : newCases()) {
         if (isAtStart() || each.scene == currentScene()) {
-            newMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), listed(each),
+            newMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), each.listed,
                                 this, [this, each] { beginOrSayWhy(each.make()); });
         }
     }

@@ -50,10 +50,6 @@ QString shown(const char* text) {
     return QCoreApplication::translate("ravnoves::NewCases", text);
 }
 
-QString nameOf(const SceneSolver& solver) {
-    return QString::fromLatin1(solver.name.data(), static_cast<qsizetype>(solver.name.size()));
-}
-
 CaseFile readInside(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
@@ -64,61 +60,48 @@ CaseFile readInside(const QString& path) {
 
 }  // namespace
 
-QString listed(const NewCase& each) {
-    const auto of = [&](const char* kind) { return shown(kind).arg(each.title); };
-    return each.kind == NewCase::Kind::Preset
-               ? of(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Preset: %1"))
-           : each.kind == NewCase::Kind::Example
-               ? of(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Example: %1"))
-               : each.title;
-}
-
-std::vector<NewCase> newExamples() {
-    std::vector<NewCase> found;
+std::vector<NewCase> newCases() {
+    const auto listed = [](const char* kind, const QString& title) {
+        return shown(kind).arg(title);
+    };
+    std::vector<NewCase> examples;
     const QDir folder(QStringLiteral(":/examples"));
     for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
         const QString path = folder.filePath(name);
         const CaseFile file = readInside(path);
-        const auto known = std::find_if(exampleTitles.begin(), exampleTitles.end(),
-                                        [&](const auto& each) { return each.first == file.title; });
-        found.push_back({NewCase::Kind::Example, QString::fromStdString(file.scene),
-                         shown(file.title.c_str()),
-                         known != exampleTitles.end() ? shown(known->second) : QString(),
-                         [path] { return readInside(path); }});
+        const auto known = std::ranges::find(exampleTitles, file.title,
+                                             &std::pair<const char*, const char*>::first);
+        const QString title = shown(file.title.c_str());
+        examples.push_back({QString::fromStdString(file.scene), title,
+                            listed(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Example: %1"), title),
+                            known != exampleTitles.end() ? shown(known->second) : title,
+                            [path] { return readInside(path); }});
     }
-    const auto placeOf = [](const NewCase& each) {
-        const auto solvers = scene_solvers();
-        return std::ranges::find(solvers, each.scene, nameOf) - solvers.begin();
-    };
-    std::ranges::stable_sort(found, {}, placeOf);
-    return found;
-}
-
-std::vector<NewCase> newCases() {
-    const std::vector<NewCase> examples = newExamples();
     std::vector<NewCase> list;
     for (const SceneSolver& solver : scene_solvers()) {
         if (solver.title.empty()) {
             continue;
         }
-        const QString scene = nameOf(solver);
-        const QString path = QStringLiteral(":/templates/%1.case.json").arg(scene);
-        if (QFile::exists(path)) {
-            list.push_back(
-                {NewCase::Kind::Empty,
-                 scene,
-                 shown(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Blank (placeholder values)")),
-                 {},
-                 [path] { return readInside(path); }});
-        }
+        const QString scene =
+            QString::fromLatin1(solver.name.data(), static_cast<qsizetype>(solver.name.size()));
+        const QString blank =
+            shown(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Blank (placeholder values)"));
+        list.push_back({scene, blank, blank, {}, [scene] {
+                            return readInside(
+                                QStringLiteral(":/templates/%1.case.json").arg(scene));
+                        }});
         for (const auto& [name, input] : solver.presets()) {
             const QString title = presetTitle(name);
-            list.push_back({NewCase::Kind::Preset, scene, title, {}, [scene, title, input = input] {
+            list.push_back({scene,
+                            title,
+                            listed(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Preset: %1"), title),
+                            {},
+                            [scene, title, input = input] {
                                 return CaseFile{scene.toStdString(), title.toStdString(), input};
                             }});
         }
-        std::copy_if(examples.begin(), examples.end(), std::back_inserter(list),
-                     [&](const NewCase& each) { return each.scene == scene; });
+        std::ranges::copy_if(examples, std::back_inserter(list),
+                             [&](const NewCase& each) { return each.scene == scene; });
     }
     return list;
 }

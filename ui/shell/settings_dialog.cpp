@@ -8,6 +8,8 @@
 #include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
+#include <algorithm>
+#include <functional>
 
 #include "numerics/units.h"
 #include "text/language.h"
@@ -23,31 +25,22 @@ namespace {
 
 using Choices = QList<std::pair<QString, QVariant>>;
 
+/// A setting: `take` gets the data of what the user chose.
+struct Row {
+    const char* name;
+    QString label;
+    QString hint;
+    Choices choices;
+    QVariant present;
+    std::function<void(const QVariant&)> take;
+};
+
 }  // namespace
 
 SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent) {
     columnIn(this)->setSizeConstraint(QLayout::SetFixedSize);
     build();
     connect(&Preferences::instance(), &Preferences::changed, this, &SettingsDialog::build);
-}
-
-template <typename Take>
-QComboBox* SettingsDialog::addChoice(const char* name, const QString& label, const QString& hint,
-                                     const Choices& choices, const QVariant& present, Take take) {
-    auto* box = new QComboBox(rows_->parentWidget());
-    box->setObjectName(QLatin1String(name));
-    for (const auto& [text, data] : choices) {
-        box->addItem(text, data);
-    }
-    box->setCurrentIndex(box->findData(present));
-    box->setToolTip(hint);
-    box->setAccessibleDescription(hint);
-    rows_->addRow(label, box);
-    QString spoken = label;
-    box->setAccessibleName(spoken.remove(QLatin1Char('&')));
-    connect(box, &QComboBox::activated, this,
-            [box, take](int index) { take(box->itemData(index)); });
-    return box;
 }
 
 void SettingsDialog::build() {
@@ -65,55 +58,100 @@ void SettingsDialog::build() {
     content_ = new QWidget(this);
     layout()->addWidget(content_);
     auto* form = new QWidget(content_);
-    rows_ = new QFormLayout(form);
-    rows_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
-    rows_->setSpacing(Theme::space);
+    auto* list = new QFormLayout(form);
+    list->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
+    list->setSpacing(Theme::space);
     Preferences& preferences = Preferences::instance();
 
     Choices languages{{tr("System default"), QString()}};
     for (const Language& language : availableLanguages()) {
         languages.append({language.ownName, language.code});
     }
-    addChoice("language", tr("&Language"), tr("Language of texts and numbers."), languages,
-              wantedLanguage(),
-              [](const QVariant& code) { Preferences::instance().setLanguage(code.toString()); });
-
-    addChoice("theme", tr("&Theme"), tr("Light or dark colours."),
-              {{tr("System default"), static_cast<int>(Theme::Mode::System)},
-               {tr("Light"), static_cast<int>(Theme::Mode::Light)},
-               {tr("Dark"), static_cast<int>(Theme::Mode::Dark)}},
-              static_cast<int>(Theme::instance().mode()), [](const QVariant& mode) {
-                  Theme::instance().setMode(static_cast<Theme::Mode>(mode.toInt()));
-                  QSettings().setValue(QStringLiteral("view/theme"), mode.toInt());
-              });
-
-    const int present = qRound(100.0 * Theme::instance().textScale());
+    const int size = qRound(100.0 * Theme::instance().textScale());
     Choices sizes{{tr("small, 85 %"), 85},
                   {tr("normal, 100 %"), 100},
                   {tr("large, 125 %"), 125},
                   {tr("very large, 150 %"), 150},
                   {tr("largest, 200 %"), 200}};
-    if (std::none_of(sizes.begin(), sizes.end(),
-                     [&](const auto& size) { return size.second == present; })) {
-        sizes.append({QStringLiteral("%1 %").arg(present), present});
+    if (!std::ranges::count(sizes, QVariant(size), &std::pair<QString, QVariant>::second)) {
+        sizes.append({QStringLiteral("%1 %").arg(size), size});
     }
-    addChoice("text", tr("Te&xt size"), tr("Size of all texts and fields."), sizes, present,
-              [](const QVariant& percent) {
-                  Theme::instance().setTextScale(percent.toInt() / 100.0);
-                  QSettings().setValue(QStringLiteral("view/text"), percent.toInt());
-                  Preferences::instance().tell();
-              });
-
     Choices digits{{tr("automatic"), 0}};
     for (int count = Preferences::fewestDigits; count <= Preferences::maxDigits; ++count) {
         digits.append({tr("%1 significant digits").arg(count), count});
     }
-    addChoice("digits", tr("&Digits of results"),
-              tr("Automatic: digits as needed. Copies and exports use the same digits."), digits,
-              preferences.digits(),
-              [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
-
-    addUnits();
+    using Units = Preferences::Units;
+    const auto unitsOf = [&](const char* name, const QString& label, Preferences::Quantity quantity,
+                             const QString& own, const QList<std::pair<QString, Units>>& others) {
+        Choices choices{{own, static_cast<int>(Units::Own)}};
+        for (const auto& [text, unit] : others) {
+            choices.append({text, static_cast<int>(unit)});
+        }
+        return Row{name,
+                   label,
+                   tr("Units of display, input, print and export. Case files keep their own units; "
+                      "drawings are in millimetres."),
+                   choices,
+                   static_cast<int>(preferences.units(quantity)),
+                   [quantity](const QVariant& unit) {
+                       Preferences::instance().setUnits(quantity, static_cast<Units>(unit.toInt()));
+                   }};
+    };
+    const Row rows[]{
+        {"language", tr("&Language"), tr("Language of texts and numbers."), languages,
+         wantedLanguage(),
+         [](const QVariant& code) { Preferences::instance().setLanguage(code.toString()); }},
+        {"theme",
+         tr("&Theme"),
+         tr("Light or dark colours."),
+         {{tr("System default"), static_cast<int>(Theme::Mode::System)},
+          {tr("Light"), static_cast<int>(Theme::Mode::Light)},
+          {tr("Dark"), static_cast<int>(Theme::Mode::Dark)}},
+         static_cast<int>(Theme::instance().mode()),
+         [](const QVariant& mode) {
+             Theme::instance().setMode(static_cast<Theme::Mode>(mode.toInt()));
+             QSettings().setValue(QStringLiteral("view/theme"), mode.toInt());
+         }},
+        {"text", tr("Te&xt size"), tr("Size of all texts and fields."), sizes, size,
+         [](const QVariant& percent) {
+             Theme::instance().setTextScale(percent.toInt() / 100.0);
+             QSettings().setValue(QStringLiteral("view/text"), percent.toInt());
+             Preferences::instance().tell();
+         }},
+        {"digits", tr("&Digits of results"),
+         tr("Automatic: digits as needed. Copies and exports use the same digits."), digits,
+         preferences.digits(),
+         [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); }},
+        unitsOf("length_unit", tr("L&engths"), Preferences::Length, tr("millimetres"),
+                {{tr("inches"), Units::Imperial}}),
+        unitsOf("mass_unit", tr("&Masses"), Preferences::Mass, tr("kilograms and grams"),
+                {{tr("grams"), Units::Gram}, {tr("pounds and ounces"), Units::Imperial}}),
+        unitsOf("unbalance_unit", tr("&Unbalances"), Preferences::Unbalance, tr("as the masses"),
+                {{unitText(units::gram_mm.name), Units::GramMillimetre},
+                 {unitText("g·in"), Units::GramInch},
+                 {unitText("oz·in"), Units::OunceInch}}),
+        unitsOf("torque_unit", tr("T&orques"), Preferences::Torque, unitText(units::N_m.name),
+                {{unitText("lb·ft"), Units::Imperial}}),
+        unitsOf("force_unit", tr("&Forces"), Preferences::Force, unitText(units::newton.name),
+                {{unitText("lbf"), Units::Imperial}}),
+        unitsOf("speed_unit", tr("&Speeds"), Preferences::Speed, tr("module default"),
+                {{unitText(units::rpm.name), Units::Rpm},
+                 {unitText(units::rad_per_s.name), Units::RadPerSecond}}),
+    };
+    for (const Row& row : rows) {
+        auto* box = new QComboBox(form);
+        box->setObjectName(QLatin1String(row.name));
+        for (const auto& [text, data] : row.choices) {
+            box->addItem(text, data);
+        }
+        box->setCurrentIndex(box->findData(row.present));
+        box->setToolTip(row.hint);
+        box->setAccessibleDescription(row.hint);
+        list->addRow(row.label, box);
+        box->setAccessibleName(QString(row.label).remove(QLatin1Char('&')));
+        connect(box, &QComboBox::activated, this,
+                [box, take = row.take](int index) { take(box->itemData(index)); });
+    }
 
     // With large text all of it may be higher than the screen.
     QScrollArea* area = scrolled(form, content_);
@@ -135,39 +173,6 @@ void SettingsDialog::build() {
         again != nullptr && !focused.isEmpty()) {
         again->setFocus();
     }
-}
-
-void SettingsDialog::addUnits() {
-    using Units = Preferences::Units;
-    const auto add = [this](Preferences::Quantity quantity, const char* name, const QString& label,
-                            const QString& own, const QList<std::pair<QString, Units>>& others) {
-        Choices choices{{own, static_cast<int>(Units::Own)}};
-        for (const auto& [text, units] : others) {
-            choices.append({text, static_cast<int>(units)});
-        }
-        addChoice(name, label,
-                  tr("Units of display, input, print and export. Case files keep their own units; "
-                     "drawings are in millimetres."),
-                  choices, static_cast<int>(Preferences::instance().units(quantity)),
-                  [quantity](const QVariant& units) {
-                      Preferences::instance().setUnits(quantity, static_cast<Units>(units.toInt()));
-                  });
-    };
-    add(Preferences::Length, "length_unit", tr("L&engths"), tr("millimetres"),
-        {{tr("inches"), Units::Imperial}});
-    add(Preferences::Mass, "mass_unit", tr("&Masses"), tr("kilograms and grams"),
-        {{tr("grams"), Units::Gram}, {tr("pounds and ounces"), Units::Imperial}});
-    add(Preferences::Unbalance, "unbalance_unit", tr("&Unbalances"), tr("as the masses"),
-        {{unitText(units::gram_mm.name), Units::GramMillimetre},
-         {unitText("g·in"), Units::GramInch},
-         {unitText("oz·in"), Units::OunceInch}});
-    add(Preferences::Torque, "torque_unit", tr("T&orques"), unitText(units::N_m.name),
-        {{unitText("lb·ft"), Units::Imperial}});
-    add(Preferences::Force, "force_unit", tr("&Forces"), unitText(units::newton.name),
-        {{unitText("lbf"), Units::Imperial}});
-    add(Preferences::Speed, "speed_unit", tr("&Speeds"), tr("module default"),
-        {{unitText(units::rpm.name), Units::Rpm},
-         {unitText(units::rad_per_s.name), Units::RadPerSecond}});
 }
 
 }  // namespace ravnoves

@@ -2,9 +2,6 @@
 
 #include <QDialog>
 
-class QComboBox;
-class QFormLayout;
-
 namespace ravnoves {
 
 /// Theme, size of the text, language, digits, units. A choice applies at once, here as well, and is
@@ -17,15 +14,8 @@ class SettingsDialog : public QDialog {
 
   private:
     void build();
-    void addUnits();
-    /// A row with a choice; `take` gets the data of what the user chose.
-    template <typename Take>
-    QComboBox* addChoice(const char* name, const QString& label, const QString& hint,
-                         const QList<std::pair<QString, QVariant>>& choices,
-                         const QVariant& present, Take take);
 
     QWidget* content_ = nullptr;
-    QFormLayout* rows_ = nullptr;
 };
 
 }  // namespace ravnoves

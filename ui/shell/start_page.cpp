@@ -13,7 +13,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <utility>
 
 #include "model/case_document.h"
@@ -22,7 +21,6 @@
 #include "shop/model/verdict.h"
 #include "shop/model/words.h"
 #include "text/plain_title.h"
-#include "text/text_width.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -34,13 +32,27 @@ namespace ravnoves {
 
 namespace {
 
-/// Presses as every button does: a click, Space, and Enter as well.
+/// What is pressed as every button is: by a click, Space, and Enter as well. Labels over it show
+/// it.
 class StartButton : public QAbstractButton {
   public:
-    explicit StartButton(QWidget* parent) : QAbstractButton(parent) {
+    StartButton(const QString& name, const QString& text, QWidget* parent)
+        : QAbstractButton(parent) {
+        setObjectName(name);
+        setText(QString(text).replace(QLatin1Char('&'), QLatin1String("&&")));  // no mnemonic
         setFocusPolicy(Qt::StrongFocus);
         setCursor(Qt::PointingHandCursor);
         setAttribute(Qt::WA_Hover);
+        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+        setBackgroundRole(QPalette::Window);  // its labels have their own inks
+    }
+
+    QLabel* addLabel(const QString& text, Ink ink) {
+        auto* label = new QLabel(text, this);
+        label->setTextFormat(Qt::PlainText);
+        colourText(label, ink);
+        layout()->addWidget(label);
+        return label;
     }
 
   protected:
@@ -51,160 +63,83 @@ class StartButton : public QAbstractButton {
             QAbstractButton::keyPressEvent(event);
         }
     }
-    bool isMarked() const { return hasFocus() || underMouse(); }
+    void paintEvent(QPaintEvent* /*event*/) override {
+        const Theme& theme = Theme::instance();
+        const bool isCard = icon().isNull();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (!isCard) {
+            const int side = fontMetrics().height();
+            icon().paint(&painter, QRect(Theme::gap, (height() - side) / 2, side, side));
+        }
+        const bool isMarked = hasFocus() || underMouse();
+        painter.setPen(hasFocus() || isCard ? QPen(isMarked ? theme.accent() : theme.border(),
+                                                   hasFocus() ? 2.0 : 1.0)
+                                            : Qt::NoPen);
+        painter.setBrush(isCard ? QBrush(theme.panel()) : QBrush());
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+    }
 };
 
-/// A scene: a picture of its page, its name, what it is for.
-class SceneCard : public StartButton {
+/// A picture of a scene's page.
+class ScenePicture : public QWidget {
   public:
-    SceneCard(const SceneInfo& info, QWidget* parent)
-        : StartButton(parent), summary_(info.summary), scene_(info.name) {
-        setObjectName(QStringLiteral("start-") + info.name);
-        setText(info.title);
-        setAccessibleDescription(info.summary);
-        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    ScenePicture(const QString& scene, QWidget* parent) : QWidget(parent), scene_(scene) {
+        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
         policy.setHeightForWidth(true);
         setSizePolicy(policy);
+        setMinimumWidth(100);
     }
-
-    bool hasHeightForWidth() const override { return true; }
-    int heightForWidth(int width) const override {
-        const Texts texts = textsAt(width);
-        return pictureHeight(width) + Theme::space + texts.title.height() + Theme::gap +
-               texts.summary.height() + Theme::margin;
-    }
-    QSize sizeHint() const override { return {200, heightForWidth(200)}; }
-    /// No word is cut.
-    QSize minimumSizeHint() const override {
-        int width = 120;
-        const auto fit = [&width](const QFont& font, const QString& words) {
-            for (const QString& word : words.split(QLatin1Char(' '))) {
-                width = std::max(width, qCeil(textWidth(font, word)) + 2 * Theme::margin + 2);
-            }
-        };
-        fit(titleFont(), text());
-        fit(font(), summary_);
-        return {width, heightForWidth(std::max(width, 200))};
-    }
+    int heightForWidth(int width) const override { return width * 5 / 8; }
+    QSize sizeHint() const override { return {180, heightForWidth(180)}; }
 
   protected:
     void paintEvent(QPaintEvent* /*event*/) override {
-        const Theme& theme = Theme::instance();
+        const QString theme =
+            Theme::instance().isDark() ? QStringLiteral("dark") : QStringLiteral("light");
         QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(isMarked() ? theme.accent() : theme.border(), hasFocus() ? 2.0 : 1.0));
-        painter.setBrush(theme.panel());
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawPixmap(QRect(Theme::margin, Theme::margin, width() - 2 * Theme::margin,
-                                 pictureHeight(width()) - Theme::margin),
-                           QPixmap(QStringLiteral(":/start/%1-%2.png")
-                                       .arg(scene_, theme.isDark() ? QStringLiteral("dark")
-                                                                   : QStringLiteral("light"))));
-        int top = pictureHeight(width()) + Theme::space;
-        painter.setPen(theme.text());
-        painter.setFont(titleFont());
-        const Texts texts = textsAt(width());
-        painter.drawText(texts.title.translated(0, top), wrap, text());
-        top += texts.title.height() + Theme::gap;
-        painter.setFont(font());
-        painter.setPen(theme.mutedText());
-        painter.drawText(texts.summary.translated(0, top), wrap, summary_);
+        painter.drawPixmap(rect(), QPixmap(QStringLiteral(":/start/%1-%2.png").arg(scene_, theme)));
     }
 
   private:
-    static constexpr int wrap = Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop;
-
-    static int pictureHeight(int width) {
-        return Theme::margin + (width - 2 * Theme::margin) * 5 / 8;
-    }
-    QFont titleFont() const {
-        QFont bold = font();
-        bold.setBold(true);
-        return bold;
-    }
-    /// Where its texts go at a width, from the top of each.
-    struct Texts {
-        QRect title;
-        QRect summary;
-    };
-    Texts textsAt(int width) const {
-        return {wrapped(QFontMetrics(titleFont()), text(), width),
-                wrapped(fontMetrics(), summary_, width)};
-    }
-
-    static QRect wrapped(const QFontMetrics& metrics, const QString& text, int width) {
-        return metrics.boundingRect(QRect(Theme::margin, 0, width - 2 * Theme::margin, 10'000),
-                                    wrap, text);
-    }
-
-    QString summary_;
     QString scene_;
 };
 
-/// A line that leads to a case: an icon, a text and a pale detail, shortened where they do not fit.
-class StartLine : public StartButton {
-  public:
-    StartLine(const QString& icon, const QString& text, QWidget* parent) : StartButton(parent) {
-        setText(plainTitle(text).replace(QLatin1Char('&'), QLatin1String("&&")));  // no mnemonic
-        setIcon(themedIcon(icon));
-        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    }
+/// A scene: a picture of its page, its name, what it is for.
+StartButton* sceneCard(const SceneInfo& info, QWidget* parent) {
+    auto* card = new StartButton(QStringLiteral("start-") + info.name, info.title, parent);
+    card->setAccessibleDescription(info.summary);
+    QVBoxLayout* column =
+        columnIn(card, Theme::gap, {Theme::margin, Theme::margin, Theme::margin, Theme::margin});
+    column->addWidget(new ScenePicture(info.name, card));
+    QLabel* title = card->addLabel(info.title, &Theme::text);
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+    title->setWordWrap(true);
+    card->addLabel(info.summary, &Theme::mutedText)->setWordWrap(true);
+    column->addStretch();
+    return card;
+}
 
-    void setInk(Ink ink) { ink_ = ink; }
-    void setDetail(const QString& detail) {
-        detail_ = detail;
-        setAccessibleDescription(detail);
-        update();
-    }
-
-    QSize sizeHint() const override {
-        return {fontMetrics().horizontalAdvance(shown() + detail_) + iconSide() + 4 * Theme::space,
-                fontMetrics().height() + 2 * Theme::gap};
-    }
-
-  protected:
-    void paintEvent(QPaintEvent* /*event*/) override {
-        const Theme& theme = Theme::instance();
-        QPainter painter(this);
-        const int side = iconSide();
-        icon().paint(&painter, QRect(Theme::gap, (height() - side) / 2, side, side));
-        QFont shownFont = font();
-        shownFont.setUnderline(underMouse());
-        painter.setFont(shownFont);
-        painter.setPen((theme.*ink_)());
-        const QRect room(side + 3 * Theme::gap, 0, width() - side - 4 * Theme::gap, height());
-        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                         fontMetrics().elidedText(shown(), Qt::ElideMiddle, room.width()));
-        const QRect beside =
-            room.adjusted(fontMetrics().horizontalAdvance(shown()) + 2 * Theme::space, 0, 0, 0);
-        if (beside.width() > 0) {
-            painter.setFont(font());
-            painter.setPen(theme.mutedText());
-            painter.drawText(beside, Qt::AlignLeft | Qt::AlignVCenter,
-                             fontMetrics().elidedText(detail_, Qt::ElideMiddle, beside.width()));
-        }
-        if (hasFocus()) {
-            painter.setRenderHint(QPainter::Antialiasing);
-            painter.setPen(QPen(theme.accent(), 2.0));
-            painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
-        }
-    }
-
-  private:
-    QString shown() const { return text().replace(QLatin1String("&&"), QLatin1String("&")); }
-    int iconSide() const { return fontMetrics().height(); }
-
-    Ink ink_ = &Theme::accent;
-    QString detail_;
-};
-
-/// A line at a place of a column; −1: its end.
-StartLine* addLine(QVBoxLayout* to, int place, const QString& icon, const QString& text,
-                   const char* name, const QString& tip, std::function<void()> pressed) {
-    auto* line = new StartLine(icon, text, to->parentWidget());
-    line->setObjectName(QLatin1String(name));
+/// A line that leads to a case: an icon, a text and a pale detail, cut where they do not fit.
+/// @param place  in the column; −1: its end
+StartButton* addLine(QVBoxLayout* to, int place, const QString& icon, const QString& text,
+                     const QString& detail, const char* name, const QString& tip,
+                     std::function<void()> pressed, Ink ink = &Theme::accent) {
+    const QString plain = plainTitle(text);
+    auto* line = new StartButton(QLatin1String(name), plain, to->parentWidget());
+    line->setIcon(themedIcon(icon));
+    line->setAccessibleDescription(detail);
     line->setToolTip(tip);
+    QHBoxLayout* row =
+        rowIn(line, 2 * Theme::space,
+              {line->fontMetrics().height() + 3 * Theme::gap, Theme::gap, Theme::gap, Theme::gap});
+    line->addLabel(plain, ink)->setMinimumWidth(1);
+    line->addLabel(detail, &Theme::mutedText)
+        ->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->setStretch(1, 1);
     QObject::connect(line, &QAbstractButton::clicked, line, std::move(pressed));
     to->insertWidget(place, line);
     return line;
@@ -269,12 +204,12 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     purpose->setWordWrap(true);
     layout->addWidget(purpose);
 
-    cards_ = new QGridLayout;
-    cards_->setSpacing(Theme::margin);
-    layout->addLayout(cards_);
+    grid_ = new QGridLayout;
+    grid_->setSpacing(Theme::margin);
+    layout->addLayout(grid_);
     for (const SceneInfo& info : sceneList()) {
-        auto* card = new SceneCard(info, content);
-        cards_->addWidget(card, 0, cards_->count());
+        StartButton* card = sceneCard(info, content);
+        cards_.push_back(card);
         connect(card, &QAbstractButton::clicked, this,
                 [this, name = info.name] { Q_EMIT sceneRequested(name); });
     }
@@ -284,129 +219,79 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     jobs_ = column(jobsBox_, tr("Jobs"));
     layout->addWidget(jobsBox_);
     jobsBox_->hide();
+    addLine(jobs_, -1, QStringLiteral("journal"), tr("Journal…"), {}, "start-journal", {},
+            [this] { Q_EMIT journalRequested(); });
     content->installEventFilter(this);
 
-    lists_ = new QGridLayout;
-    lists_->setHorizontalSpacing(3 * Theme::margin);
-    lists_->setVerticalSpacing(Theme::margin);
-    layout->addLayout(lists_);
-    layout->addStretch();
-
-    recentBox_ = new QWidget(content);
-    recent_ = column(recentBox_, tr("Files"));
-    addLine(jobs_, -1, QStringLiteral("journal"), tr("Journal…"), "start-journal", {},
-            [this] { Q_EMIT journalRequested(); });
-    addLine(recent_, -1, QStringLiteral("open"), tr("Open a case…"), "start-open", {},
+    auto* recentBox = new QWidget(content);
+    QVBoxLayout* recent = column(recentBox, tr("Files"));
+    addLine(recent, -1, QStringLiteral("open"), tr("Open a case…"), {}, "start-open", {},
             [this] { Q_EMIT openDialogRequested(); });
-    recent_->addStretch();
-    examplesBox_ = new QWidget(content);
-    QVBoxLayout* examples = column(examplesBox_, tr("Examples"));
-    for (const NewCase& each : newExamples()) {
-        addLine(examples, -1, QStringLiteral("scene-") + each.scene, each.question, "start-example",
-                each.question + QLatin1Char('\n') + each.title,
-                [this, each] { Q_EMIT newRequested(each.make()); })
-            ->setDetail(each.title);
+    for (const QString& path : CaseDocument::recentPaths()) {
+        addLine(recent, -1, QStringLiteral("save"), QFileInfo(path).fileName(), folderOf(path),
+                "start-recent", path, [this, path] { Q_EMIT openRequested(path); });
     }
-    examples->addStretch();
+    layout->addWidget(recentBox);
+    auto* examplesBox = new QWidget(content);
+    QVBoxLayout* examples = column(examplesBox, tr("Examples"));
+    for (const NewCase& each : newCases()) {
+        if (!each.question.isEmpty()) {
+            addLine(examples, -1, QStringLiteral("scene-") + each.scene, each.question, each.title,
+                    "start-example", each.question + QLatin1Char('\n') + each.title,
+                    [this, each] { Q_EMIT newRequested(each.make()); });
+        }
+    }
+    layout->addWidget(examplesBox);
+    layout->addStretch();
     auto* journal = new QAction(this);
     journal->setShortcut(QKeySequence(Qt::Key_F3));
     connect(journal, &QAction::triggered, this, &StartPage::journalRequested);
     addAction(journal);
-    arrange();
-    showRecent();
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
-void StartPage::showRecent() {
-    constexpr int fixed = 3;  // heading, its gap, Open
-    while (recent_->count() > fixed) {
-        const std::unique_ptr<QLayoutItem> item(recent_->takeAt(fixed));
-        delete item->widget();
-    }
-    QWidget* before = recent_->itemAt(fixed - 1)->widget();
-    for (const QString& path : CaseDocument::recentPaths()) {
-        auto* made = addLine(recent_, -1, QStringLiteral("save"), QFileInfo(path).fileName(),
-                             "start-recent", path, [this, path] { Q_EMIT openRequested(path); });
-        made->setDetail(folderOf(path));
-        QWidget::setTabOrder(before, made);
-        before = made;
-    }
-    recent_->addStretch();
-}
-
 void StartPage::showJobs() {
-    constexpr int above = 2;  // heading and its gap; below them stands "Journal…"
-    while (jobs_->count() > above + 1) {
-        const std::unique_ptr<QLayoutItem> item(jobs_->takeAt(above));
-        delete item->widget();
-    }
     JournalQuery newest;
     newest.limit = 5;
     Journal journal(Journal::defaultPath());
     const QList<JournalJob> jobs = journal.look() ? journal.search(newest) : QList<JournalJob>();
     const Words words;
-    QWidget* before = cards_->itemAt(cards_->count() - 1)->widget();
+    QWidget* before = cards_.back();
     for (const JournalJob& job : jobs) {
         const QString text = jobText(words, job);
-        auto* made =
-            addLine(jobs_, jobs_->count() - 1,
-                    job.isFinished ? QStringLiteral("job-done") : QStringLiteral("job-new"), text,
-                    "start-job", text, [this, id = job.id] { Q_EMIT jobRequested(id); });
-        made->setInk(job.isFinished ? &Theme::accent : &Theme::warning);
+        auto* made = addLine(
+            jobs_, jobs_->count() - 1,
+            job.isFinished ? QStringLiteral("job-done") : QStringLiteral("job-new"), text, {},
+            "start-job", text, [this, id = job.id] { Q_EMIT jobRequested(id); },
+            job.isFinished ? &Theme::accent : &Theme::warning);
         QWidget::setTabOrder(before, made);
         before = made;
     }
     jobsBox_->setVisible(!jobs.isEmpty());
 }
 
-void StartPage::arrange() {
-    int narrowest = 0;
-    for (int i = 0; i < cards_->count(); ++i) {
-        narrowest = std::max(narrowest, cards_->itemAt(i)->widget()->minimumSizeHint().width());
-    }
-    const int room =
-        std::clamp((width() - 4 * Theme::margin) / (narrowest + Theme::margin), 1, cards_->count());
-    const int rows = (cards_->count() + room - 1) / room;
-    const int columns = (cards_->count() + rows - 1) / rows;  // rows of one length
-    int widest = 0;
-    for (const QAbstractButton* example : examplesBox_->findChildren<QAbstractButton*>()) {
-        widest = std::max(widest, example->sizeHint().width());
-    }
-    const bool beside = columns > 2 && 5 * widest <= 3 * (width() - 9 * Theme::margin);
-    if (columns == columns_ && beside == areListsBeside_) {
-        return;
-    }
-    columns_ = columns;
-    areListsBeside_ = beside;
-    std::vector<QWidget*> cards;
-    while (cards_->count() > 0) {
-        const std::unique_ptr<QLayoutItem> item(cards_->takeAt(0));
-        cards.push_back(item->widget());
-    }
-    for (int i = 0; i < static_cast<int>(cards.size()); ++i) {
-        cards_->addWidget(cards[static_cast<std::size_t>(i)], i / columns, i % columns);
-        cards_->setColumnStretch(i, i < columns ? 1 : 0);
-    }
-    lists_->addWidget(recentBox_, 0, 0);
-    lists_->addWidget(examplesBox_, beside ? 0 : 1, beside ? 1 : 0);
-    lists_->setColumnStretch(0, 2);
-    lists_->setColumnStretch(1, beside ? 3 : 0);
-}
-
+/// Cards in rows of one length.
 void StartPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    arrange();
-}
-
-void StartPage::showEvent(QShowEvent* event) {
-    showRecent();
-    isLooked_ = false;
-    QWidget::showEvent(event);
+    const int count = static_cast<int>(cards_.size());
+    int narrowest = 0;
+    for (const QWidget* card : cards_) {
+        narrowest = std::max(narrowest, card->minimumSizeHint().width());
+    }
+    const int room =
+        std::clamp((width() - 4 * Theme::margin) / (narrowest + Theme::margin), 1, count);
+    const int rows = (count + room - 1) / room;
+    const int columns = (count + rows - 1) / rows;
+    for (int i = 0; i < count; ++i) {
+        grid_->addWidget(cards_[static_cast<std::size_t>(i)], i / columns, i % columns);
+        grid_->setColumnStretch(i, i < columns ? 1 : 0);
+    }
 }
 
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
-    // After the first picture: a slow disk must not delay it.
-    if (event->type() == QEvent::Paint && !std::exchange(isLooked_, true)) {
+    if (event->type() == QEvent::Paint) {
+        watched->removeEventFilter(this);
+        // After the first picture: a slow disk must not delay it.
         QMetaObject::invokeMethod(this, &StartPage::showJobs, Qt::QueuedConnection);
     }
     return QWidget::eventFilter(watched, event);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "shell/new_cases.h"
 
@@ -9,18 +10,13 @@ class QVBoxLayout;
 
 namespace ravnoves {
 
-/// What the program shows when it was given nothing to show: the scenes as pictures, the files
-/// opened last, the examples.
+/// What the program shows when it was given nothing to show: the scenes as pictures, the newest
+/// jobs, the files opened last, the examples. It is made again whenever it is shown.
 class StartPage : public QWidget {
     Q_OBJECT
 
   public:
     explicit StartPage(QWidget* parent = nullptr);
-
-    /// The files opened last, again.
-    void showRecent();
-    /// The newest jobs of the journal, again; nothing of a journal that cannot be opened.
-    void showJobs();
 
   Q_SIGNALS:
     /// A picture was pressed: the scene as it starts.
@@ -37,22 +33,16 @@ class StartPage : public QWidget {
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    void arrange();
+    /// The newest jobs of the journal; nothing of a journal that cannot be opened.
+    void showJobs();
 
-    QGridLayout* cards_;
+    std::vector<QWidget*> cards_;
+    QGridLayout* grid_;  ///< of the cards
     QWidget* jobsBox_;
     QVBoxLayout* jobs_;
-    bool isLooked_ = false;  ///< into the journal, since the page is shown
-    QGridLayout* lists_;
-    QWidget* recentBox_;
-    QVBoxLayout* recent_;
-    QWidget* examplesBox_;
-    int columns_ = 0;
-    bool areListsBeside_ = false;
 };
 
 }  // namespace ravnoves
