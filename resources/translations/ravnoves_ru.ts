@@ -14844,10 +14844,6 @@ but at this l no α is feasible</source>
         <translation>Открытие задачи</translation>
     </message>
     <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>да</translation>
     </message>

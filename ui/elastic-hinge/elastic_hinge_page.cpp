@@ -124,8 +124,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     });
     auto* label = new QLabel(tr("&Motion"), picturePanel);
     label->setBuddy(animated_);
-    picturePanel->addControl(label);
-    picturePanel->addControl(animated_);
+    picturePanel->addControls({label, animated_});
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);

@@ -79,12 +79,6 @@ class CaseModel : public SceneModel {
     void loadInput(const Json& input, const CaseContext& context,
                    const QString& name = openName()) override;
     void showInput(const Json& input) override;
-    void loadDefault() override {
-        load(newName(), {scene_.defaultInput(),
-                         {.title = scene_.defaultTitle()},
-                         defaultName(),
-                         context().directory});
-    }
 
   protected:
     explicit CaseModel(Scene scene, QObject* parent)

@@ -106,8 +106,6 @@ class SceneModel : public QObject {
     ReferenceCase& referenceCase();
     /// The "result" object, the same that the command line prints.
     virtual Json resultJson() const = 0;
-    /// The input that a new document starts with.
-    virtual void loadDefault() = 0;
     /// The fields of the input with their present values, for forms; all that a case may have, or
     /// what this one has; or the one of these with a pointer.
     virtual std::vector<FieldEntry> describedFields(std::string_view /*only*/ = {}) const {
@@ -289,7 +287,6 @@ class SceneModel : public QObject {
     static double readNumber(const QString& key, const QString& value);
     /// Place of the value among the words. @throws InputError that names them
     static int oneOf(const QString& key, const QString& value, const QStringList& words);
-    static QString newName() { return tr("New case"); }
     /// Of an engine that was a preset or an example, and is not any more. In every language the
     /// same, as a file has it; titleText() says it.
     static QString changedTitle(const QString& title) { return title + changedMark; }

@@ -86,18 +86,19 @@ void MechanismPicture::paintEvent(QPaintEvent* /*event*/) {
 }
 
 PicturePanel::PicturePanel(MechanismPicture* picture, const QString& hint, QWidget* parent)
-    : Panel(parent), controls_(new QHBoxLayout), action_(new QAction(this)) {
+    : Panel(parent), action_(new QAction(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(1, 1, 1, Theme::gap);
     column->setSpacing(0);
     column->addWidget(picture, 1);
-    controls_->setContentsMargins(Theme::space, 0, Theme::space, 0);
-    controls_->setSpacing(Theme::space);
-    column->addLayout(controls_);
+    auto* controls = new QHBoxLayout;
+    controls->setContentsMargins(Theme::space, 0, Theme::space, 0);
+    controls->setSpacing(Theme::space);
+    column->addLayout(controls);
     auto* button = new QToolButton(this);
     button->setAutoRaise(true);
     button->setAccessibleName(tr("Play or pause the picture"));
-    controls_->addWidget(button);
+    controls->addWidget(button);
     const CrankAngle* crank = picture->crank();
     slider_ =
         new ValueSlider(tr("&φ"), 0.0, crank->cycle(), 1.0, 15.0, 0, QStringLiteral("°"), this);
@@ -108,7 +109,7 @@ PicturePanel::PicturePanel(MechanismPicture* picture, const QString& hint, QWidg
     connect(crank, &CrankAngle::cycleChanged, this,
             [this](double degrees) { slider_->setRange(0.0, degrees); });
     showAngle(crank->degrees());
-    controls_->addWidget(slider_, 1);
+    controls->addWidget(slider_, 1);
     action_->setToolTip(tr("Turn the crank"));
 
     const auto toggle = [picture] { picture->setPlaying(!picture->isPlaying()); };
@@ -125,16 +126,15 @@ PicturePanel::PicturePanel(MechanismPicture* picture, const QString& hint, QWidg
     show(false);
 }
 
-void PicturePanel::addControl(QWidget* control) {
-    if (choices_ == nullptr) {
-        choices_ = new QHBoxLayout;
-        choices_->setContentsMargins(Theme::space, 0, Theme::space, Theme::gap);
-        choices_->setSpacing(Theme::space);
-        auto* column = static_cast<QVBoxLayout*>(layout());
-        column->insertLayout(column->indexOf(controls_), choices_);
-        choices_->addStretch(1);
+void PicturePanel::addControls(const QList<QWidget*>& controls) {
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(Theme::space, 0, Theme::space, Theme::gap);
+    row->setSpacing(Theme::space);
+    for (QWidget* control : controls) {
+        row->addWidget(control);
     }
-    choices_->insertWidget(choices_->count() - 1, control);
+    row->addStretch(1);
+    static_cast<QVBoxLayout*>(layout())->insertLayout(1, row);  // below the picture
 }
 
 }  // namespace ravnoves

@@ -7,7 +7,6 @@
 #include "widgets/panel.h"
 
 class QAction;
-class QHBoxLayout;
 class QPainter;
 
 namespace ravnoves {
@@ -64,13 +63,11 @@ class PicturePanel : public Panel {
     ValueSlider* slider() const { return slider_; }
     /// Plays and pauses, for menu and toolbar.
     QAction* action() const { return action_; }
-    /// Puts another control into a row of its own above the bar: the angle's slider needs its
+    /// Puts other controls into a row of their own above the bar: the angle's slider needs its
     /// width.
-    void addControl(QWidget* control);
+    void addControls(const QList<QWidget*>& controls);
 
   private:
-    QHBoxLayout* controls_;
-    QHBoxLayout* choices_ = nullptr;
     ValueSlider* slider_;
     QAction* action_;
 };

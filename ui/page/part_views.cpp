@@ -163,7 +163,6 @@ void PartTable::showPart(const Content& content) {
 
 void PartTable::hideWhereEmpty() {
     hidesWhereEmpty_ = true;
-    makeAlways();
     make();
     setVisible(rowCount() > 0);
 }

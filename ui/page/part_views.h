@@ -38,17 +38,15 @@ class PartView {
     virtual void showPart(const Content& content) = 0;
     /// Nothing: there is no reference.
     virtual void showReference(const Content* content, const QString& name) = 0;
-    /// Its widget is visible or not, depending on the content.
-    void makeAlways() { isAlwaysMade_ = true; }
+    bool hidesWhereEmpty_ = false;  ///< the content says whether the widget is visible
 
   private:
-    bool isSeen() const { return isAlwaysMade_ || widget_->isVisibleTo(widget_->window()); }
+    bool isSeen() const { return hidesWhereEmpty_ || widget_->isVisibleTo(widget_->window()); }
     void outdate(bool ofReference);
 
     SceneModel* model_;
     std::string_view id_;
     QWidget* widget_;
-    bool isAlwaysMade_ = false;
     bool isStale_ = true;
     bool isReferenceStale_ = true;
 };
@@ -98,9 +96,6 @@ class PartTable : public ResultTable, public PartView {
     void showEvent(QShowEvent* event) override;
     void showPart(const Content& content) override;
     void showReference(const Content* content, const QString& name) override;
-
-  private:
-    bool hidesWhereEmpty_ = false;
 };
 
 /// Lines of text.

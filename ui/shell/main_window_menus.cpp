@@ -78,6 +78,13 @@ void MainWindow::buildNavigation() {
     // In a window that is too low for all of them they scroll; what is open or has the focus is
     // seen.
     auto* area = new QScrollArea(centre);
+    const auto showChecked = [area, navigation] {
+        for (QToolButton* button : navigation->findChildren<QToolButton*>()) {
+            if (button->isChecked()) {
+                area->ensureWidgetVisible(button, 0, Theme::gap);
+            }
+        }
+    };
     const auto addButton = [&](QAction* action, int height) {
         auto* button = new QToolButton(navigation);
         button->setDefaultAction(action);
@@ -92,11 +99,7 @@ void MainWindow::buildNavigation() {
         button->setMinimumHeight(std::max(height, button->sizeHint().height()));
         button->setFocusPolicy(Qt::TabFocus);
         column->addWidget(button);
-        connect(action, &QAction::toggled, area, [area, button](bool on) {
-            if (on) {
-                area->ensureWidgetVisible(button, 0, Theme::gap);
-            }
-        });
+        connect(action, &QAction::toggled, area, showChecked);
     };
     addButton(startAction_, 0);
     for (const SceneInfo& info : documents_->scenes()) {
@@ -129,16 +132,6 @@ void MainWindow::buildNavigation() {
     connect(bar, &QScrollBar::rangeChanged, area, [area, navigation, bar](int, int last) {
         area->setFixedWidth(navigation->minimumWidth() + (last > 0 ? bar->sizeHint().width() : 0));
     });
-    const auto showChecked = [area, navigation, bar] {
-        for (QToolButton* button : navigation->findChildren<QToolButton*>()) {
-            if (button->isChecked()) {
-                // From the top: the window was lower while it was laid out.
-                bar->setValue(0);
-                area->ensureWidgetVisible(button, 0, Theme::gap);
-            }
-        }
-    };
-    // Once the buttons are laid out.
     connect(bar, &QScrollBar::rangeChanged, area, showChecked, Qt::QueuedConnection);
     row->addWidget(area);
     auto* line = new QFrame(centre);

@@ -238,7 +238,7 @@ TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {
     choose(2);
     const CaseFile file = model->caseFile();
     ASSERT_TRUE(file.kept.contains("torque")) << file.kept.dump();
-    model->loadDefault();
+    model->loadFile(BalanceShaftModel().caseFile(), {}, nullptr);
     model->loadFile(file, {}, nullptr);
     EXPECT_EQ(model->input().torque.table, table);
     choose(0);

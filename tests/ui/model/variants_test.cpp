@@ -159,7 +159,7 @@ TEST_F(VariantsTest, GoWithTheCaseThroughItsFile) {
     EXPECT_FALSE(document.needsSaving());
     other.setByKey(QStringLiteral("crank_radius_mm"), QStringLiteral("16"));
     EXPECT_EQ(other.variants(), model.variants());
-    other.loadDefault();
+    other.loadCase({{"crank_radius_mm", 4.0}}, {}, {});
     EXPECT_TRUE(other.variants().isEmpty());
 }
 

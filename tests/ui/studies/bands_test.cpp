@@ -42,7 +42,6 @@ class Bands : public ::testing::Test {
   protected:
     void open(const std::string& scene, const Json& vary, const char* method = "sobol") {
         page = test::makePage(scene);
-        page->model()->loadDefault();
         page->model()->changeStudy(
             u"tolerances"_s,
             Json{{"vary", vary}, {"watch", Json::object()}, {"method", method}, {"samples", 64}}

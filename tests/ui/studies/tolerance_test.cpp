@@ -893,7 +893,6 @@ TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
 
 TEST(ToleranceInputs, AreNoCountsAndNoNames) {
     const auto page = test::makePage("inertia-moments");
-    page->model()->loadDefault();
     const StudyModel study(page->model());
     EXPECT_GT(study.inputs().size(), 5U);
     for (const StudyModel::Input& input : study.inputs()) {

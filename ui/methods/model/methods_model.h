@@ -41,7 +41,6 @@ class MethodsModel : public SceneModel {
     void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
     /// The measured table.
     Json resultJson() const override;
-    void loadDefault() override { setKernel(0); }
     /// "kernel", "sweep" (by id) and "value".
     /// @throws InputError for a word or a number that is not allowed there
     bool setViewOption(const QString& key, const QString& value) override;

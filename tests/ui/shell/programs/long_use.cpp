@@ -153,7 +153,7 @@ int main(int argc, char** argv) {
                 }
             });
         // What was dragged is no case of anybody.
-        window.currentPage()->model()->loadDefault();
+        window.currentPage()->model()->history()->setIndex(0);
         window.currentPage()->model()->history()->clear();
     }
 
