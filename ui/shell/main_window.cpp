@@ -178,11 +178,7 @@ void MainWindow::showTolerances() {
 }
 
 bool MainWindow::showScene(const QString& name) {
-    if (!documents_->showScene(name)) {
-        return false;
-    }
-    leaveStart();
-    return true;
+    return documents_->showScene(name);
 }
 
 bool MainWindow::isAtStart() const {
@@ -237,11 +233,7 @@ ScenePage* MainWindow::currentPage() const {
 }
 
 QString MainWindow::openCase(const QString& path) {
-    QString trouble = documents_->open(path);
-    if (trouble.isEmpty()) {
-        leaveStart();
-    }
-    return trouble;
+    return documents_->open(path);
 }
 
 void MainWindow::goToScene(const QString& scene) {
@@ -260,12 +252,7 @@ bool MainWindow::newCase(const QString& scene, bool isFirst) {
 }
 
 QString MainWindow::newCase(const CaseFile& file, bool isFirst) {
-    QString trouble = documents_->begin(file, isFirst);
-    if (trouble.isEmpty()) {
-        leaveStart();
-        currentPage()->resetZoom();
-    }
-    return trouble;
+    return documents_->begin(file, isFirst);
 }
 
 void MainWindow::beginOrSayWhy(const CaseFile& file) {
