@@ -8,6 +8,7 @@
 #include "model/scene_model.h"
 #include "page/scene_page.h"
 #include "widgets/entry_field.h"
+#include "widgets/page_columns.h"
 #include "widgets/table_editor.h"
 
 namespace ravnoves {
@@ -18,26 +19,44 @@ struct RejectedEntries {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::RejectedEntries)
 };
 
+/// The page, or a window beside it.
 template <typename Widget>
 Widget* pageOf(Widget* part) {
-    while (qobject_cast<const ScenePage*>(part) == nullptr && part->parentWidget() != nullptr) {
+    while (qobject_cast<const ScenePage*>(part) == nullptr && !part->isWindow()) {
         part = part->parentWidget();
     }
     return part;
 }
 
-/// Brings the page to the front, with the field that was rejected first.
-void showRejected(ScenePage* page) {
-    Q_EMIT page->frontWanted();
-    for (QObject* each : page->model()->rejectedIn()) {
+/// What has rejected texts: of a page also tables in windows beside it, of a window its tables.
+QList<QObject*> rejectedIn(const QWidget* part) {
+    if (const auto* model = part->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly)) {
+        return model->rejectedIn();
+    }
+    QList<QObject*> tables;
+    for (TableEditor* table : part->findChildren<TableEditor*>()) {
+        if (!table->trouble().isEmpty()) {
+            tables << table;
+        }
+    }
+    return tables;
+}
+
+/// Brings the part to the front, with the entry that was rejected first.
+void showRejected(QWidget* part) {
+    if (auto* page = qobject_cast<ScenePage*>(part)) {
+        Q_EMIT page->frontWanted();
+    }
+    for (QObject* each : rejectedIn(part)) {
         auto* field = static_cast<QWidget*>(each);
-        if (page->isAncestorOf(field)) {
-            QStringList tabs;
-            for (const QWidget* at = field; at != page; at = at->parentWidget()) {
-                tabs << at->objectName();
-            }
-            page->showTabs(tabs);
+        if (part->isAncestorOf(field)) {
+            showTabOf(field);
             field->setFocus();
+            if (auto* entry = qobject_cast<EntryField*>(field)) {
+                entry->selectAll();  // what is typed next takes its place
+            } else if (auto* table = qobject_cast<TableEditor*>(field)) {
+                table->showRejected();
+            }
             return;
         }
     }
@@ -53,8 +72,7 @@ QStringList rejectedOf(const QWidget* part, bool ofResultAlone, const Retold& re
                              : field->accessibleName() + QStringLiteral(": ") + field->trouble());
         }
     }
-    const auto* model = part->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly);
-    for (QObject* each : model != nullptr ? model->rejectedIn() : QList<QObject*>()) {
+    for (QObject* each : rejectedIn(part)) {
         const auto* table = qobject_cast<TableEditor*>(each);
         // One of the tolerances is in a window beside.
         if (table != nullptr && (part->isAncestorOf(table) || !ofResultAlone)) {
@@ -101,9 +119,7 @@ bool continueWithoutRejected(QWidget* part, const QString& title, const QString&
     if (box.exec() == QMessageBox::Ignore) {
         return true;
     }
-    if (auto* page = qobject_cast<ScenePage*>(pageOf(part))) {
-        showRejected(page);
-    }
+    showRejected(pageOf(part));
     return false;
 }
 

@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QResizeEvent>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
@@ -38,6 +39,22 @@ class TroubleDelegate final : public QStyledItemDelegate {
     }
 };
 
+/// Its current cell stays in sight where a message below takes of its height.
+class CellView final : public QTableView {
+  public:
+    using QTableView::QTableView;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        const bool wasSeen =
+            QRect(QPoint(), event->oldSize()).contains(visualRect(currentIndex()).center());
+        QTableView::resizeEvent(event);
+        if (wasSeen) {
+            scrollTo(currentIndex());
+        }
+    }
+};
+
 }  // namespace
 
 TableEditor::TableEditor(EditableTable* table, const QString& name, const QString& addTip,
@@ -49,7 +66,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     tools_->setSpacing(2);
     tools_->addStretch();
     column->addLayout(tools_);
-    view_ = new QTableView(this);
+    view_ = new CellView(this);
     view_->setModel(table_);
     view_->setItemDelegate(new TroubleDelegate(view_));
     view_->setAlternatingRowColors(true);
@@ -169,6 +186,19 @@ bool TableEditor::takeBackRejected() {
         view_->setCurrentIndex(table_->index(row, column));
     }
     return true;
+}
+
+void TableEditor::showRejected() {
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        for (int column = 0; column < table_->columnCount(); ++column) {
+            const QModelIndex at = table_->index(row, column);
+            if (at.data(EditableTable::TroubleRole).toBool()) {
+                view_->setCurrentIndex(at);
+                view_->scrollTo(at);
+                return;
+            }
+        }
+    }
 }
 
 bool TableEditor::eventFilter(QObject* watched, QEvent* event) {

@@ -37,6 +37,8 @@ class TableEditor : public QWidget {
     QString trouble() const { return trouble_; }
     /// Undo and Escape are the table's while its present cell is rejected, else the document's.
     bool takeBackRejected();
+    /// Makes the first rejected cell the current one.
+    void showRejected();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -149,7 +149,7 @@ TEST_F(SavingTest, ClosingAsksWhereNothingButARejectedEntryStands) {
     press(Qt::Key_W);
     ASSERT_EQ(asked.size(), 1);
     EXPECT_TRUE(asked[0].contains(QStringLiteral("Crank radius"))) << asked[0].toStdString();
-    EXPECT_EQ(test::named<NumberField>(*window->currentPage(), "crank_radius_mm")->text(),
+    EXPECT_EQ(test::named<NumberField>(*window->currentPage(), "crank_radius_mm")->selectedText(),
               QStringLiteral("-5"));
     answer("Stay");
     EXPECT_FALSE(window->close());
@@ -158,6 +158,31 @@ TEST_F(SavingTest, ClosingAsksWhereNothingButARejectedEntryStands) {
     press(Qt::Key_W);
     EXPECT_EQ(asked.size(), 3);
     EXPECT_NE(window->windowTitle().indexOf(QStringLiteral("Ravnoves")), -1);
+}
+
+TEST_F(SavingTest, WhoStaysIsAtTheRedCellOfATable) {
+    window->resize(1024, 700);
+    QTableView* view = window->currentPage()->findChild<TableEditor*>()->view();
+    window->currentPage()->showTabs({u"torque"_s});
+    QApplication::processEvents();
+    const auto seen = [view](const QModelIndex& at) {
+        return view->viewport()->rect().contains(view->visualRect(at));
+    };
+    view->setFocus();
+    const int last = view->rowAt(view->viewport()->height() - view->rowHeight(0));
+    const QModelIndex low = view->model()->index(last, 1);
+    view->setCurrentIndex(low);
+    view->model()->setData(low, u"q5"_s);  // its message takes of the height
+    QApplication::processEvents();
+    ASSERT_FALSE(seen(view->model()->index(0, 1)));
+    EXPECT_TRUE(seen(low));
+    QTest::keyClick(view, Qt::Key_Home, Qt::ControlModifier);
+    EXPECT_FALSE(seen(low));
+    answer("Stay");
+    press(Qt::Key_W);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_EQ(view->currentIndex(), low);
+    EXPECT_TRUE(seen(low));
 }
 
 TEST_F(SavingTest, ReturnDoesNotCancelAReport) {
