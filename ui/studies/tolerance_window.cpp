@@ -26,6 +26,7 @@
 #include "case-file/message.h"
 #include "model/background_job.h"
 #include "model/scene_model.h"
+#include "page/rejected_entries.h"
 #include "page/scene_page.h"
 #include "plot/plot_view.h"
 #include "studies/model/study_figures.h"
@@ -95,7 +96,7 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     connect(model_, &StudyModel::answered, this, &ToleranceWindow::showAnswers);
     connect(&Theme::instance(), &Theme::changed, this, &ToleranceWindow::showAnswers);
     addKeys();
-    connect(page, &QObject::destroyed, this, &QWidget::close);
+    connect(page, &QObject::destroyed, this, [this] { done(Rejected); });
     connect(model_->scene(), &SceneModel::titleChanged, this, &ToleranceWindow::showTitle);
     showTitle();
     showStudy();
@@ -117,11 +118,19 @@ void ToleranceWindow::addKeys() {
     }
 }
 
+void ToleranceWindow::reject() {
+    if (continueWithoutRejected(this, tr("Tolerances"))) {
+        QDialog::reject();
+    }
+}
+
 bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
     const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key() : 0;
     if (key == Qt::Key_Escape) {
-        // In a table it gives up what is typed, or was rejected; it does not close the window.
-        (object == inputs_->view() ? inputs_ : watched_)->takeBackRejected();
+        // A table would take it for a letter.
+        if (!(object == inputs_->view() ? inputs_ : watched_)->takeBackRejected()) {
+            reject();
+        }
         return true;
     }
     if (key == Qt::Key_Delete && object == watched_->view()) {

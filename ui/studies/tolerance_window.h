@@ -33,6 +33,8 @@ class ToleranceWindow : public QDialog {
     StudyModel* model() const { return model_; }
     TableEditor* inputs() const { return inputs_; }
     TableEditor* watched() const { return watched_; }
+    /// Closing loses rejected texts, so it asks first.
+    void reject() override;
 
   Q_SIGNALS:
     /// The case of the page is to be saved, by Ctrl+S.

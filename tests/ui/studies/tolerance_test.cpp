@@ -392,8 +392,7 @@ TEST_F(Tolerances, EscapeAndUndoEndWhatIsRejectedAndLeaveTheWindow) {
     ASSERT_EQ(rejected->rejectedNames().size(), 1);
     QTest::keyClick(view, Qt::Key_Escape);
     EXPECT_TRUE(rejected->rejectedNames().isEmpty());
-    QTest::keyClick(view, Qt::Key_Escape);
-    EXPECT_TRUE(tolerances->isVisible()) << "there is nothing more to give up";
+    EXPECT_TRUE(tolerances->isVisible());
     scatter("/crank_radius_mm", u"0.02"_s);
     scatter("/centre_distance_mm", u"xyz"_s);
     ASSERT_EQ(rejected->rejectedNames().size(), 1);
@@ -407,6 +406,31 @@ TEST_F(Tolerances, EscapeAndUndoEndWhatIsRejectedAndLeaveTheWindow) {
     QTest::keyClick(typing, Qt::Key_Escape);
     EXPECT_TRUE(tolerances->isVisible());
     EXPECT_EQ(study().vary.size(), 1U);
+}
+
+TEST_F(Tolerances, ClosingAsksWhereAnEntryWasRejected) {
+    QString said;
+    const auto answer = [&](const QString& button) {
+        test::answerWith(tolerances, button, [&](const QString& text) { said = text; });
+    };
+    QTableView* view = tolerances->inputs()->view();
+    scatter("/centre_distance_mm", u"xyz"_s);
+    const QModelIndex red = view->currentIndex();
+    view->setCurrentIndex(view->model()->index(0, 0));
+    answer(u"Stay"_s);
+    QTest::keyClick(view, Qt::Key_Escape);
+    EXPECT_TRUE(said.contains(u"not accepted"_s)) << said.toStdString();
+    EXPECT_TRUE(said.contains(u"“xyz” is not a tolerance"_s)) << said.toStdString();
+    EXPECT_TRUE(tolerances->isVisible());
+    EXPECT_EQ(view->currentIndex(), red);
+    answer(u"Continue without them"_s);
+    tolerances->close();
+    EXPECT_FALSE(tolerances->isVisible());
+}
+
+TEST_F(Tolerances, EscapeClosesTheWindowFromATableToo) {
+    QTest::keyClick(the<ResultTable>(), Qt::Key_Escape);
+    EXPECT_FALSE(tolerances->isVisible());
 }
 
 TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRejectedInWords) {
