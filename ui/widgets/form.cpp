@@ -159,9 +159,11 @@ QComboBox* Form::choice(const QString& name, const QString& label, const QString
 }
 
 void Form::bind(QComboBox* box, std::function<int()> read, std::function<void(int)> write) {
-    const auto show = [box, read = std::move(read)] { box->setCurrentIndex(read()); };
-    connect(box, &QComboBox::activated, this, [show, write = std::move(write)](int index) {
-        write(index);
+    const auto show = [box, read] { box->setCurrentIndex(read()); };
+    connect(box, &QComboBox::activated, this, [=, write = std::move(write)](int index) {
+        if (index != read()) {
+            write(index);
+        }
         show();
     });
     follow(show);

@@ -177,6 +177,10 @@ TEST_F(PlugsSheetsTest, PlugsThatComeBackHaveTheirValues) {
     toggle();
     model->history()->undo();
     EXPECT_EQ(model->input().plugs->engine.aluminium_plug_mass, 1.2 * gram);
+    // The engine that there is changes nothing when it is chosen.
+    auto* engines = find<QComboBox>("engine");
+    Q_EMIT engines->activated(engines->currentIndex());
+    EXPECT_EQ(model->input().plugs->engine.aluminium_plug_mass, 1.2 * gram);
     toggle();
     model->loadCase(model->inputJson(), {}, {});
     toggle();

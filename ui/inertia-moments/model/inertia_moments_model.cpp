@@ -138,6 +138,9 @@ QString InertiaMomentsModel::layoutText() const {
 }
 
 void InertiaMomentsModel::chooseLayout(const QString& name) {
+    if (name == layoutName()) {
+        return;
+    }
     if (name == paperEngine) {
         edit(
             tr("Layout"), [](Input& input) { input = inertia_moments::preset_vw_vr5(); },
@@ -156,7 +159,7 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
         return;
     }
     const inertia_moments::LayoutSpec* spec = inertia_moments::find_layout(name.toStdString());
-    if (spec == nullptr || name == layoutName()) {
+    if (spec == nullptr) {
         return;
     }
     const auto choose = [&](Input& input) {
