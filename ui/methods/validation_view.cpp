@@ -61,6 +61,8 @@ QWidget* ValidationView::buildTable() {
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setWordWrap(true);
     table_->stretchColumn(ValidationModel::Quantity);
+    constexpr int shownRows = 4;  // further ones scroll below the headings, above the reason
+    table_->setShownRows(shownRows);
     inside->addWidget(table_, 1);
     reason_ = captionLabel({}, panel);
     reason_->setObjectName(QStringLiteral("reason"));

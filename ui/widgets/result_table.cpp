@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
 #include <QStyledItemDelegate>
@@ -494,6 +495,18 @@ void ResultTable::paintEvent(QPaintEvent* event) {
 void ResultTable::scrollContentsBy(int across, int down) {
     QTableWidget::scrollContentsBy(across, down);
     viewport()->update();
+}
+
+void ResultTable::scrollTo(const QModelIndex& index, ScrollHint hint) {
+    QTableWidget::scrollTo(index, hint);
+    const QRect cell = visualRect(index);
+    for (QWidget* around = parentWidget(); hasFocus() && around != nullptr;
+         around = around->parentWidget()) {
+        if (auto* area = qobject_cast<QScrollArea*>(around)) {
+            const QPoint at = viewport()->mapTo(area->widget(), cell.center());
+            area->ensureVisible(at.x(), at.y(), 0, cell.height());
+        }
+    }
 }
 
 void ResultTable::keyPressEvent(QKeyEvent* event) {

@@ -60,6 +60,8 @@ class ResultTable : public QTableWidget {
     /// Buttons of a dialog that copy the whole table, as text and as CSV.
     void addCopyButtons(QDialogButtonBox* buttons) const;
 
+    /// The page around a table that is higher follows its current row.
+    void scrollTo(const QModelIndex& index, ScrollHint hint = EnsureVisible) override;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
     static int plainRowHeight();  ///< without the lines below the numbers

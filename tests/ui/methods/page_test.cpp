@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -218,6 +219,38 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     view->table()->setFocus();
     QTest::keyClick(view->table(), Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 1);
+}
+
+/// The rows that the keys go to are in sight, and so are the headings and the reason.
+TEST_F(MethodsPageTest, TheReportFollowsTheKeys) {
+    bring("validation");
+    ValidationView* view = page.findChild<ValidationView*>();
+    ASSERT_TRUE(test::comes([&] { return view->viewModel()->report() != nullptr; }));
+    QApplication::processEvents();
+    ResultTable* table = view->table();
+    table->setFocus();
+    table->setCurrentCell(0, 0);
+    const auto seen = [&](QWidget* part, const QRect& rect) {
+        return part->visibleRegion().contains(rect.center());
+    };
+    for (const int down : {35, 1000, -20}) {
+        for (int i = 0; i < std::min(std::abs(down), 40); ++i) {
+            QTest::keyClick(table, down > 100 ? Qt::Key_PageDown
+                                   : down > 0 ? Qt::Key_Down
+                                              : Qt::Key_Up);
+        }
+        EXPECT_TRUE(seen(table->viewport(), table->visualItemRect(table->currentItem()))) << down;
+        QWidget* headings = table->horizontalHeader()->viewport();
+        EXPECT_TRUE(seen(headings, headings->rect())) << down;
+        EXPECT_TRUE(seen(find<QLabel>("reason"), find<QLabel>("reason")->rect())) << down;
+    }
+    EXPECT_GT(table->currentRow(), 60);
+    // Where the whole page scrolls, it follows a table that does not.
+    table->setShownRows(0);
+    QApplication::processEvents();
+    QTest::keyClick(table, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClick(table, Qt::Key_End, Qt::ControlModifier);
+    EXPECT_TRUE(seen(table->viewport(), table->visualItemRect(table->currentItem())));
 }
 
 TEST_F(MethodsPageTest, TheReportStopsTheMeasurement) {
