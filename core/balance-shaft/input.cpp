@@ -5,7 +5,6 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
-#include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 
@@ -18,7 +17,13 @@ std::string pointer(const Field& field, const std::string& parent = "/input") {
 }
 
 Number shown(const Field& field, double si) {
-    return {from_si(field, si)};
+    return {from_si(field, si), field.unit};
+}
+
+/// A bound with the digits that tell it from what was found.
+Number bound(const Field& field, double limit, double found) {
+    const bool is_near = std::abs(limit - std::abs(found)) < 1e-4 * std::abs(limit);
+    return {from_si(field, limit), field.unit, is_near ? 11 : 6};
 }
 
 void check_masses(const Input& input) {
@@ -107,12 +112,12 @@ void check_rod(const Input& input) {
             throw InputError(
                 pointer(field::offset, parent),
                 {Text::tr("must be less than %1 in magnitude, the rod length minus crank radius"),
-                 shown(field::offset, input.effective_rod_length() - input.crank_radius)},
+                 bound(field::offset, input.effective_rod_length() - input.crank_radius, offset)},
                 shown(field::offset, offset));
         }
         throw InputError(pointer(field::rod_length, parent),
                          {Text::tr("must be greater than the crank radius plus the offset, %1"),
-                          Number{rounded_to_digits(from_si(field::crank_radius, minimum), 12)}},
+                          bound(field::rod_length, minimum, input.effective_rod_length())},
                          shown(field::rod_length, input.effective_rod_length()));
     }
 }

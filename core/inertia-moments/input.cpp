@@ -49,7 +49,7 @@ void check_table(const Input& input) {
 
 /// A bound with the digits that tell it from what was found.
 Number bound(double limit, double found) {
-    return {.value = limit, .digits = std::abs(limit - found) < 1e-4 * std::abs(limit) ? 11 : 6};
+    return {limit, units::mm, std::abs(limit - found) < 1e-4 * std::abs(limit) ? 11 : 6};
 }
 
 void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {

@@ -91,8 +91,8 @@ TEST(BalanceShaftInput, WhatCannotBeIsRejected) {
         {R"({"reciprocating_mass_kg": 1})",
          "reciprocating_mass_kg: must be left out if reciprocating_masses_kg is given"},
         {R"({"cylinder": {"rod_length_mm": 40}})",
-         "cylinder/rod_length_mm: must be greater than the crank radius plus the offset, 46, "
-         "got 40"},
+         "cylinder/rod_length_mm: must be greater than the crank radius plus the offset, 46 mm, "
+         "got 40 mm"},
         {R"({"torque": null})", "torque: is required and missing"},
         {R"({"torque": 5})", "torque: must be an object, got 5"},
         {R"({"torque": {"crank_angle_deg": null, "torque_Nm": null}})",
@@ -110,7 +110,8 @@ TEST(BalanceShaftInput, WhatCannotBeIsRejected) {
         {R"({"flywheel": {"inertia_kg_m2": 1, "fluctuation": 0.1}})",
          "flywheel: must have either inertia_kg_m2 or fluctuation, got both"},
         {R"({"speed_band": {"from_rpm": 2000, "to_rpm": 1000}})",
-         "speed_band/to_rpm: must be at least the minimum speed of the band, 2000, got 1000"},
+         "speed_band/to_rpm: must be at least the minimum speed of the band, 2000 min⁻¹, got 1000 "
+         "min⁻¹"},
         // Sizes that no engine has: each ended in an internal error or in no end at all.
         {R"({"relieved_shaft": {"depth_mm": 1e-110, "length_mm": 400}})",
          "relieved_shaft/depth_mm: must be from 1e-06 to 100000, got 1e-110"},

@@ -105,7 +105,7 @@ TEST(CaseIo, TheRodsLengthStandsForLambda) {
     json["rod_length_mm"] = 40;
     json["layout"]["offset_mm"] = 0;
     EXPECT_EQ(test::rejection_of(json).rfind(
-                  "/input/rod_length_mm: must be greater than the crank radius, 45;", 0),
+                  "/input/rod_length_mm: must be greater than the crank radius, 45 mm;", 0),
               0U)
         << test::rejection_of(json);
     json["rod_length_mm"] = 46e9;
@@ -121,7 +121,7 @@ TEST(CaseIo, LockingMechanismsAreRejectedWithTheAngle) {
     // L − R = 5 mm; turning forward the rod lies across at 180° + arcsin((L − e)/R).
     const double forward = 180.0 + std::asin((50.0 - 10.0) / 45.0) / degree;
     const std::string text = test::rejection_of(json);
-    EXPECT_NE(text.find("/input/layout/offset_mm: must be less than 5 in magnitude"),
+    EXPECT_NE(text.find("/input/layout/offset_mm: must be less than 5 mm in magnitude"),
               std::string::npos)
         << text;
     std::array<char, 16> angle{};
