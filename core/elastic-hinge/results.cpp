@@ -20,10 +20,9 @@ using ravnoves::result_field::feasible;
 using ravnoves::result_field::notes;
 using ravnoves::result_field::reason;
 namespace key {
-constexpr ResultField guide{"guide", Text::tr("Crank guide")};
-constexpr ResultField guide_beside_rod_hinge{"guide_beside_rod_hinge",
-                                             Text::tr("Crank guide with the rod hinge")};
-constexpr ResultField rod_hinge_guide{"rod_hinge_guide", Text::tr("Rod hinge guide")};
+constexpr ResultField guide{"guide", guide_names[0]};
+constexpr ResultField guide_beside_rod_hinge{"guide_beside_rod_hinge", guide_names[1]};
+constexpr ResultField rod_hinge_guide{"rod_hinge_guide", guide_names[2]};
 constexpr ResultField side_force{"side_force", Text::tr("Side force")};
 constexpr ResultField series{"series", Text::tr("Series against exact")};
 constexpr ResultField motion{"motion", Text::tr("Motion")};

@@ -19,6 +19,11 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// @throws InputError as solve()
 void visit_results(ResultVisitor& visitor, const Input& input);
 
+/// What the guides are called, in the order of Hinge.
+inline constexpr Text guide_names[] = {Text::tr("Crank guide"),
+                                       Text::tr("Crank guide with the rod hinge"),
+                                       Text::tr("Rod hinge guide")};
+
 /// A smaller preload beyond the minimum is lost to machining and assembly, m.
 inline constexpr double min_preload_margin = 0.05 * units::mm;
 

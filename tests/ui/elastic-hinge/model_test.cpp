@@ -207,6 +207,17 @@ TEST(ElasticHingeModel, TheTableIsOfTheGuideThatIsShown) {
     }
 }
 
+TEST(ElasticHingeModel, TheVerdictNamesGuidesAsTheListDoes) {
+    ElasticHingeModel model;
+    model.edit(QStringLiteral("rod hinge"), [](auto& input) {
+        input.rod_hinge_spring = elastic_hinge::Spring{2e5, 0.2, 0.0999};
+    });
+    const QString verdict = messageText(model.verdict().text);
+    const QString listed = ElasticHingeModel::hingeNames().last();
+    EXPECT_TRUE(verdict.contains(listed.section(QStringLiteral(" ("), 0, 0) + u':'))
+        << verdict.toStdString();
+}
+
 TEST(ElasticHingeModel, TablesHoldNoEmptyCellsWhateverTheInput) {
     ElasticHingeModel model;
     const auto check = [&] {

@@ -187,8 +187,18 @@ double ElasticHingeModel::shownSpeed() const {
                                             : input().angular_speed;
 }
 
+QString ElasticHingeModel::hingeMoment(Hinge hinge) {
+    return QStringList{QStringLiteral("M"), QStringLiteral("M₁"), QStringLiteral("M₁₂")}.at(
+        static_cast<int>(hinge));
+}
+
 QStringList ElasticHingeModel::hingeNames() {
-    return {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")};
+    QStringList names;
+    for (const Text& name : elastic_hinge::guide_names) {
+        const QString moment = hingeMoment(static_cast<Hinge>(names.size()));
+        names << shownText(name) + QStringLiteral(" (%1)").arg(moment);
+    }
+    return names;
 }
 
 void ElasticHingeModel::setShownHinge(Hinge hinge) {

@@ -74,10 +74,11 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     /// Speed of the crank in the picture, rad/s.
     double shownSpeed() const;
 
-    /// The hinges that have a guide, in the order of Hinge.
+    /// The guides as the verdict names them, with the moment of their hinge, in the order of Hinge.
     static QStringList hingeNames();
+    static QString hingeMoment(elastic_hinge::Hinge hinge);
     elastic_hinge::Hinge shownHinge() const { return shownHinge_; }
-    QString shownHingeName() const { return hingeNames().at(static_cast<int>(shownHinge_)); }
+    QString shownHingeName() const { return hingeMoment(shownHinge_); }
     void setShownHinge(elastic_hinge::Hinge hinge);
     const elastic_hinge::Guide& shownGuide() const { return guideOf(shownHinge_); }
     const elastic_hinge::Guide& guideOf(elastic_hinge::Hinge hinge) const;
