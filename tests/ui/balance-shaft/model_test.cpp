@@ -81,7 +81,13 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     model.goToBest(By::range);
     EXPECT_NEAR(model.shaftAngleDeg(), 50.65, 0.05);
     EXPECT_NEAR(model.result().M_ups.range, 1066.75, 0.1);
-    EXPECT_TRUE(model.bestText(By::range).endsWith(QStringLiteral("but at this l no α is feasible")));
+    EXPECT_TRUE(
+        model.bestText(By::range).endsWith(QStringLiteral("but at this l no α is feasible")));
+    for (const char* part : {"best-range", "best-rms"}) {
+        const auto lines = std::get<Notes>(model.part(part)).lines;
+        ASSERT_EQ(lines.size(), 1U) << "the report says no line twice";
+        EXPECT_TRUE(lines[0].second.endsWith(QStringLiteral("no α is feasible"))) << part;
+    }
     EXPECT_TRUE(model.notesText().contains(QStringLiteral("No feasible position")));
     model.goToBest(By::rms);
     EXPECT_NEAR(model.shaftAngleDeg(), 11.76, 0.05);
