@@ -67,7 +67,10 @@ double margin_within(const PlaceLimits& limits, double x, double y) {
     return margin;
 }
 
-Message contradiction(const PlaceLimits& limits) {
+namespace {
+
+/// True where some place may keep all limits.
+bool are_possible(const PlaceLimits& limits) {
     const double half = angle_span(limits) / 2.0;
     const double middle = limits.shaft_angle_from.value_or(0.0) + half;
     // How far limit and angles let a place be to a side that is at an angle.
@@ -85,11 +88,29 @@ Message contradiction(const PlaceLimits& limits) {
     const double min_l = limits.centre_distance_min.value_or(0.0);
     const double max_l = limits.centre_distance_max.value_or(unlimited);
     constexpr double rounding = 1e-9;
-    const bool is_possible = -left <= right && -bottom <= top && min_l <= max_l &&
-                             nearest <= max_l * (1.0 + rounding) &&
-                             farthest >= min_l * (1.0 - rounding);
-    return is_possible ? Message()
-                       : Message(Text::tr("The limits contradict each other: %1."), named(limits));
+    return -left <= right && -bottom <= top && min_l <= max_l &&
+           nearest <= max_l * (1.0 + rounding) && farthest >= min_l * (1.0 - rounding);
+}
+
+}  // namespace
+
+Message contradiction(PlaceLimits limits) {
+    if (are_possible(limits)) {
+        return {};
+    }
+    // Those without which the others contradict each other still are not named.
+    for (const auto limit :
+         {&PlaceLimits::shaft_angle_from, &PlaceLimits::left, &PlaceLimits::right,
+          &PlaceLimits::bottom, &PlaceLimits::top, &PlaceLimits::centre_distance_min,
+          &PlaceLimits::centre_distance_max}) {
+        PlaceLimits less = limits;
+        (less.*limit).reset();
+        if (limit == &PlaceLimits::shaft_angle_from) {
+            less.shaft_angle_to.reset();
+        }
+        limits = are_possible(less) ? limits : less;
+    }
+    return {Text::tr("The limits contradict each other: %1."), named(limits)};
 }
 
 double distance_from_cylinder(const FrontView& view, double x, double y) {
