@@ -11007,18 +11007,6 @@ but at this l no α is feasible</source>
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>crank, for M</source>
-        <translation>кривошип, для M</translation>
-    </message>
-    <message>
-        <source>crank, for M₁</source>
-        <translation>кривошип, для M₁</translation>
-    </message>
-    <message>
-        <source>rod, for M₁₂</source>
-        <translation>шатун, для M₁₂</translation>
-    </message>
-    <message>
         <source>Relief (%1)</source>
         <translation>Перепад (%1)</translation>
     </message>
@@ -12203,6 +12191,10 @@ but at this l no α is feasible</source>
         <translation>Вспышки</translation>
     </message>
     <message>
+        <source>%1, with rotating masses</source>
+        <translation>%1, с вращающимися массами</translation>
+    </message>
+    <message>
         <source>Order 1</source>
         <translation>1-й порядок</translation>
     </message>
@@ -12279,8 +12271,8 @@ but at this l no α is feasible</source>
         <translation>Точный второй порядок (рис. 5)</translation>
     </message>
     <message>
-        <source>All orders of the reciprocating parts</source>
-        <translation>Все порядки возвратно-поступательных масс</translation>
+        <source>All orders, exact</source>
+        <translation>Все порядки, точно</translation>
     </message>
     <message>
         <source>All orders with rotating masses, and with the counterweights and shafts that are on</source>
@@ -12367,8 +12359,8 @@ but at this l no α is feasible</source>
         <translation>Опрокидывающий момент без уравновешивания</translation>
     </message>
     <message>
-        <source>Sum of −m a of all reciprocating parts, exact, all orders</source>
-        <translation>Сумма −m a всех поступательных масс, точно: со всеми порядками</translation>
+        <source>Sum of −m a of all moving parts, exact, all orders</source>
+        <translation>Сумма −m a всех движущихся масс, точно: со всеми порядками</translation>
     </message>
     <message>
         <source>vertical (%1)</source>

@@ -48,6 +48,27 @@ TEST(InertiaMomentsModel, ComparedInputsAreSaidInWords) {
     EXPECT_TRUE(hasLayout);
 }
 
+TEST(InertiaMomentsModel, TheLayoutThatThereIsChangesNothingWhenItIsChosen) {
+    for (const QString& name : InertiaMomentsModel::layoutNames()) {
+        InertiaMomentsModel model;
+        model.chooseLayout(name);
+        model.addShaft();
+        const Json before = model.inputJson();
+        model.chooseLayout(name);
+        EXPECT_EQ(model.inputJson(), before) << name.toStdString();
+    }
+}
+
+TEST(InertiaMomentsModel, PlotsSayThatTheyIncludeRotatingMasses) {
+    const InertiaMomentsModel model;
+    for (const char* part : {"order-1", "hodograph-forces", "forces-by-order", "moments-by-order",
+                             "moments-over-angle"}) {
+        EXPECT_TRUE(std::get<Figure>(model.part(part)).title.contains(QStringLiteral("rotating")))
+            << part;
+    }
+    EXPECT_TRUE(model.orderResults().columns[1].heading.contains(QStringLiteral("recipr.")));
+}
+
 TEST(InertiaMomentsModel, InchesInTheTableHaveRoomAndAreEditedWhole) {
     InertiaMomentsModel model;
     const CylinderTableModel table(&model);

@@ -99,6 +99,11 @@ Figure overCycle(const QString& title, const QString& left) {
             .left = {.title = left}};
 }
 
+/// The table of the orders is without them.
+QString withRotating(const QString& title) {
+    return EnginePlots::tr("%1, with rotating masses").arg(title);
+}
+
 QString unitTitle(bool force) {
     return force ? EnginePlots::tr("F, N") : EnginePlots::tr("M about z₀, N·m");
 }
@@ -135,11 +140,11 @@ template <int order>
 Figure ofOrder(const InertiaMomentsModel& model) {
     const bool force = model.showsForces();
     const Result& result = model.result();
-    Figure figure = overCycle(
-        force
-            ? (order == 1 ? EnginePlots::tr("Order 1, forces") : EnginePlots::tr("Order 2, forces"))
-            : (order == 1 ? EnginePlots::tr("Order 1") : EnginePlots::tr("Order 2")),
-        unitTitle(force));
+    Figure figure = overCycle(order == 1 ? withRotating(force ? EnginePlots::tr("Order 1, forces")
+                                                              : EnginePlots::tr("Order 1"))
+                              : force    ? EnginePlots::tr("Order 2, forces")
+                                         : EnginePlots::tr("Order 2"),
+                              unitTitle(force));
     if (order == 1) {
         figure.x.title.clear();  // the other one is below
     }
@@ -210,11 +215,10 @@ template <bool force>
 Figure ofAllOrders(const InertiaMomentsModel& model) {
     const Result& result = model.result();
     const double nothing = rounding(result, force);
-    Figure figure =
-        overCycle(force ? EnginePlots::tr("Forces over φ") : EnginePlots::tr("Moments over φ"),
-                  unitTitle(force));
-    const QString exact =
-        EnginePlots::tr("Sum of −m a of all reciprocating parts, exact, all orders");
+    Figure figure = overCycle(
+        withRotating(force ? EnginePlots::tr("Forces over φ") : EnginePlots::tr("Moments over φ")),
+        unitTitle(force));
+    const QString exact = EnginePlots::tr("Sum of −m a of all moving parts, exact, all orders");
     const QString twoTerm = EnginePlots::tr("By the two-term formulas: orders 1 and 2");
     const QString left =
         EnginePlots::tr("With rotating masses, and with the counterweights and shafts that are on");
@@ -247,7 +251,8 @@ template <bool force>
 Figure hodograph(const InertiaMomentsModel& model) {
     const Result& result = model.result();
     Figure figure;
-    figure.title = force ? EnginePlots::tr("Forces") : EnginePlots::tr("Moments about z₀");
+    figure.title =
+        withRotating(force ? EnginePlots::tr("Forces") : EnginePlots::tr("Moments about z₀"));
     figure.equalScale = true;
     std::pair<double, double> x;
     std::pair<double, double> y;
@@ -283,7 +288,7 @@ Figure hodograph(const InertiaMomentsModel& model) {
         {.name = EnginePlots::tr("all orders"),
          .role = Role::AllOrders,
          .width = 1.2,
-         .toolTip = EnginePlots::tr("All orders of the reciprocating parts"),
+         .toolTip = EnginePlots::tr("All orders, exact"),
          .turn = turn_deg},
         turnOf(result.unbalanced_curves, force, nothing));
     add("left",
@@ -326,8 +331,8 @@ template <Kind kind>
 Figure byOrder(const InertiaMomentsModel& model) {
     const Result& result = model.result();
     Figure figure;
-    figure.title = kind == Kind::Force    ? EnginePlots::tr("Forces by order")
-                   : kind == Kind::Moment ? EnginePlots::tr("Moments by order")
+    figure.title = kind == Kind::Force    ? withRotating(EnginePlots::tr("Forces by order"))
+                   : kind == Kind::Moment ? withRotating(EnginePlots::tr("Moments by order"))
                                           : EnginePlots::tr("Roll moment by order");
     const auto orders = static_cast<double>(result.unbalanced.orders.size());
     figure.x = {.title = EnginePlots::tr("order k"), .min = 0.5, .max = orders + 0.5};
