@@ -27,12 +27,32 @@ struct Part {
     }
 };
 
+struct Tangent {
+    Place from;
+    PlaceValue at;
+    double operator()(const Place& place) const { return at.value + at.gradient.dot(place - from); }
+    /// Where it is at most a value.
+    HalfPlane below(double value) const {
+        return {-at.gradient, at.value - value - at.gradient.dot(from)};
+    }
+};
+
+Place lowest(const PlacePolygon& polygon, const Tangent& tangent) {
+    std::size_t minimum = 0;
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
+        if (tangent(polygon[i]) < tangent(polygon[minimum])) {
+            minimum = i;
+        }
+    }
+    return polygon[minimum];
+}
+
 class Search {
   public:
     Search(const ShaftPlaces& places, const PlaceQuestion& question)
         : places_(places), question_(question) {
         if (question.start) {
-            offer(*question.start);
+            offer(*question.start, 0.0);
         }
     }
 
@@ -53,8 +73,10 @@ class Search {
         return (best_.value + question_.at_crank) / question_.growth * (1.0 + 1e-9);
     }
 
-    void offer(Place place) {
-        if (!places_.make_feasible(place) ||
+    /// @param size  of the part that it is from: lines about it miss by a small part of that
+    void offer(Place place, double size) {
+        constexpr double missed = 0.05;
+        if (!places_.make_feasible(place, missed * size) ||
             std::ranges::any_of(question_.limits, [&](const PlaceLimit& limit) {
                 return limit.criterion(place).value > limit.maximum * (1.0 + limit_rounding);
             })) {
@@ -66,18 +88,6 @@ class Search {
             best_.value = value;
         }
     }
-
-    struct Tangent {
-        Place from;
-        PlaceValue at;
-        double operator()(const Place& place) const {
-            return at.value + at.gradient.dot(place - from);
-        }
-        /// Where it is at most a value.
-        HalfPlane below(double value) const {
-            return {-at.gradient, at.value - value - at.gradient.dot(from)};
-        }
-    };
 
     /// The lines that the limits draw; false where the whole rectangle exceeds one.
     bool cut_by_limits(const Place& middle, double r, ShaftPlaces::Cuts& cuts) const {
@@ -92,16 +102,6 @@ class Search {
             cuts.inner.push_back(here.below(limit.maximum));
         }
         return true;
-    }
-
-    static Place lowest(const PlacePolygon& polygon, const Tangent& tangent) {
-        std::size_t minimum = 0;
-        for (std::size_t i = 1; i < polygon.size(); ++i) {
-            if (tangent(polygon[i]) < tangent(polygon[minimum])) {
-                minimum = i;
-            }
-        }
-        return polygon[minimum];
     }
 
     void search(double distance) {
@@ -165,9 +165,9 @@ class Search {
             for (const HalfPlane& line : cuts->inner) {
                 surely.cut(line);
             }
-            offer(lowest(surely.size() > 0 ? surely : all, here));
+            offer(lowest(surely.size() > 0 ? surely : all, here), r);
             if (here.at.value < best_.value) {
-                offer(centre);
+                offer(centre, r);
             }
             // Where a tangent plane lies above the best value, no place is better.
             const double better = best_.value - tolerance;
@@ -197,102 +197,19 @@ class Search {
     PlaceFound best_{{0.0, 0.0}, infinite, 0.0};
 };
 
-/// min c·v over the v with aᵢ·v ≥ bᵢ, while constraints are added: the dual simplex method, which
-/// continues from the last vertex. For some hundred constraints.
-class CuttingPlanes {
-  public:
-    using Vector = Eigen::Vector3d;
-
-    struct Constraint {
-        Vector a;
-        double b;
-    };
-
-    /// @param first  three constraints that meet in one point from which c cannot fall: c is a sum
-    ///               of their a with factors of at least 0
-    /// @param tolerance  what a constraint may be short of
-    CuttingPlanes(const Vector& cost, const std::vector<Constraint>& first, double tolerance)
-        : cost_(cost), planes_(first), tolerance_(tolerance) {
-        planes_.reserve(64);
-        meet();
+/// The centroid of the triangles from its first corner.
+Place middle_of(const PlacePolygon& polygon) {
+    Place sum(0.0, 0.0);
+    double areas = 0.0;
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        const Place one = polygon[i - 1] - polygon[0];
+        const Place other = polygon[i] - polygon[0];
+        const double area = one.x() * other.y() - one.y() * other.x();
+        sum += area * (one + other) / 3.0;
+        areas += area;
     }
-
-    void add(const Constraint& plane) { planes_.push_back(plane); }
-
-    /// @return the best vertex; its cost is a lower bound
-    const Vector& solve() {
-        const double rounding = 16 * std::numeric_limits<double>::epsilon();
-        for (int pivots = 0; pivots < 200; ++pivots) {
-            std::size_t entering = planes_.size();
-            double worst = tolerance_;
-            for (std::size_t i = 0; i < planes_.size(); ++i) {
-                const Constraint& plane = planes_[i];
-                const double missing = plane.b - plane.a.dot(vertex_);
-                if (missing > worst && !is_met(i)) {
-                    worst = missing;
-                    entering = i;
-                }
-            }
-            if (entering == planes_.size()) {
-                break;
-            }
-            // v stays in the planes but one; that one leaves whose factor falls to 0 first.
-            const Vector rates = rows_.transpose().solve(planes_[entering].a);
-            int leaving = -1;
-            double minimum = 0.0;
-            for (int k = 0; k < 3; ++k) {
-                if (rates[k] > rounding) {
-                    const double ratio = factors_[k] / rates[k];
-                    if (leaving < 0 || ratio < minimum ||
-                        (ratio == minimum && rates[k] > rates[leaving])) {
-                        leaving = k;
-                        minimum = ratio;
-                    }
-                }
-            }
-            if (leaving < 0) {
-                break;
-            }
-            const auto old = basis_[static_cast<std::size_t>(leaving)];
-            const Vector before = vertex_;
-            basis_[static_cast<std::size_t>(leaving)] = entering;
-            meet();
-            if (!(cost_.dot(vertex_) >= cost_.dot(before) - 64 * tolerance_)) {  // rounding
-                basis_[static_cast<std::size_t>(leaving)] = old;
-                meet();
-                break;
-            }
-        }
-        return vertex_;
-    }
-
-  private:
-    bool is_met(std::size_t plane) const {
-        return std::find(basis_.begin(), basis_.end(), plane) != basis_.end();
-    }
-
-    /// Planes may be nearly parallel: an LU decomposition leaves small residuals all the same.
-    void meet() {
-        Eigen::Matrix3d rows;
-        Vector right;
-        for (int k = 0; k < 3; ++k) {
-            const Constraint& plane = planes_[basis_[static_cast<std::size_t>(k)]];
-            rows.row(k) = plane.a.transpose();
-            right[k] = plane.b;
-        }
-        rows_.compute(rows);
-        vertex_ = rows_.solve(right);
-        factors_ = rows_.transpose().solve(cost_);
-    }
-
-    Vector cost_;
-    std::vector<Constraint> planes_;
-    double tolerance_;
-    std::array<std::size_t, 3> basis_{0, 1, 2};
-    Eigen::PartialPivLU<Eigen::Matrix3d> rows_;  ///< of the planes in basis_
-    Vector vertex_;
-    Vector factors_;  ///< of the planes that meet in the vertex, ≥ 0
-};
+    return areas > 0.0 ? Place(polygon[0] + sum / areas) : polygon.box().center();
+}
 
 }  // namespace
 
@@ -301,44 +218,28 @@ std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQu
 }
 
 PlaceFound minimise_range(const MomentPlane& plane) {
-    const MomentPlane::Extrema without = plane({0.0, 0.0});
-    PlaceFound best{{0.0, 0.0}, without.range(), 0.0};
-    // At a moment m the range is at least 2 |m| less what it is without: the box holds every moment
-    // that is no worse. Its half side is the unit.
-    const double reach = best.value * (1.0 + 1e-9);
-    if (!(reach > 0.0)) {  // nothing moves
-        return best;
-    }
-    const auto cut = [&](const MomentPlane::Extrema& here, const Place& at) {
-        const Place gradient = here.slope() * reach;
-        return CuttingPlanes::Constraint{{-gradient.x(), -gradient.y(), 1.0},
-                                         here.range() - gradient.dot(at)};
+    PlaceFound best{{0.0, 0.0}, infinite, 0.0};
+    const auto look = [&](const Place& at) {
+        const MomentPlane::Extrema here = plane(at);
+        if (here.range() < best.value) {
+            best = {at, here.range(), 0.0};
+        }
+        return Tangent{at, {here.range(), here.slope()}};
     };
-    const double x = without.slope().x() < 0.0 ? -1.0 : 1.0;
-    const double y = without.slope().y() < 0.0 ? -1.0 : 1.0;
-    const double rounding =
-        16.0 * std::numeric_limits<double>::epsilon() * std::max(best.value, 1e-300);
-    CuttingPlanes planes({0.0, 0.0, 1.0},
-                         {cut(without, {0.0, 0.0}), {{x, 0.0, 0.0}, -1.0}, {{0.0, y, 0.0}, -1.0}},
-                         rounding);
-    planes.add({{-x, 0.0, 0.0}, -1.0});
-    planes.add({{0.0, -y, 0.0}, -1.0});
+    // At a moment m the range is at least 2 |m| less what it is without: the box holds every moment
+    // that is no worse.
+    look({0.0, 0.0});
+    const Place reach = Place(1.0, 1.0) * best.value * (1.0 + 1e-9);
+    PlacePolygon left({-reach, reach});
     constexpr double exact = 5e-14;
     constexpr int max_rounds = 500;
-    Place at(0.0, 0.0);
-    for (int round = 0; round < max_rounds; ++round) {
-        const CuttingPlanes::Vector vertex = planes.solve();
-        best.gap = std::max(0.0, best.value - vertex.z());
-        if (best.gap <= exact * best.value || (round > 0 && at == vertex.head<2>())) {
+    for (int round = 0; round < max_rounds && left.size() > 2; ++round) {
+        const Tangent tangent = look(middle_of(left));
+        best.gap = std::max(0.0, best.value - tangent(lowest(left, tangent)));
+        if (best.gap <= exact * best.value) {
             break;
         }
-        at = vertex.head<2>();
-        const MomentPlane::Extrema here = plane(at * reach);
-        if (here.range() < best.value) {
-            best.value = here.range();
-            best.place = at * reach;
-        }
-        planes.add(cut(here, at));
+        left.cut(tangent.below(best.value));
     }
     return best;
 }

@@ -49,8 +49,9 @@ struct PlaceFound {
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question);
 
 /// The smallest range over all moments of the shaft, N·m; the place is that moment. By cutting
-/// planes: the smallest that all tangent planes met so far allow is a lower bound. The gap is a few
-/// roundings, or what 500 planes leave.
+/// planes: the tangent plane at the middle of the moments left cuts off those that are no better,
+/// and its smallest value over the others is a lower bound. The gap is a few roundings, or what 500
+/// planes leave.
 PlaceFound minimise_range(const MomentPlane& plane);
 
 }  // namespace ravnoves::balance_shaft

@@ -195,7 +195,7 @@ std::optional<ShaftPlaces::Cuts> ShaftPlaces::find_cuts(
     if (l + r > max_l && l > 0.0) {
         const Eigen::Vector2d n = -middle / l;
         cuts.outer.push_back({n, -max_l - rounding_});
-        cuts.inner.push_back({n, -max_l + r * r / (2.0 * l)});
+        cuts.inner.push_back({n, -max_l});
     }
 
     const double from_cylinder = distance_from_cylinder(view_, middle.x(), middle.y());
@@ -213,17 +213,11 @@ std::optional<ShaftPlaces::Cuts> ShaftPlaces::find_cuts(
             const std::array<HalfPlane, 2> edges{
                 HalfPlane{{std::cos(from), -std::sin(from)}, -rounding_},
                 HalfPlane{{-std::cos(from + span), std::sin(from + span)}, -rounding_}};
-            std::array<bool, 2> possible{};
+            // A sector of more than half a turn has both half planes, not what they share.
             for (std::size_t i = 0; i < 2; ++i) {
-                possible[i] = edges[i].normal.dot(middle) + edges[i].normal.cwiseAbs().dot(half) >=
-                              edges[i].minimum;
-            }
-            const bool needs_both = span <= pi;
-            if (needs_both ? !(possible[0] && possible[1]) : !(possible[0] || possible[1])) {
-                return std::nullopt;
-            }
-            for (std::size_t i = 0; i < 2; ++i) {
-                if (needs_both || !possible[1 - i]) {
+                const HalfPlane& other = edges[1 - i];
+                if (span <= pi ||
+                    other.normal.dot(middle) + other.normal.cwiseAbs().dot(half) < other.minimum) {
                     cuts.outer.push_back(edges[i]);
                     cuts.inner.push_back({edges[i].normal, 0.0});
                 }
@@ -240,48 +234,22 @@ std::optional<ShaftPlaces::Cuts> ShaftPlaces::find_cuts(
     return cuts;
 }
 
-bool ShaftPlaces::make_feasible(Eigen::Vector2d& place) const {
-    const double nearest = nearest_allowed();
-    const double maximum = farthest();
+bool ShaftPlaces::make_feasible(Eigen::Vector2d& place, double within) const {
+    const Eigen::Vector2d half(within, within);
     constexpr int tries = 12;
     for (int i = 0; i < tries; ++i) {
-        const Obstacle met = obstacle(place.x(), place.y());
-        if (met == Obstacle::none) {
+        if (obstacle(place.x(), place.y()) == Obstacle::none) {
             return true;
         }
-        const auto push = [&](const Eigen::Vector2d& from, double needed) {
-            const Eigen::Vector2d to = place - from;
-            const double away = to.norm();
-            if (away > 0.0) {
-                place = from + to * (needed / away);
-            }
-        };
-        if (met == Obstacle::rod) {
-            const RodSweep::Nearest rod = rods_.nearest(place.x(), place.y());
-            push({rod.x, rod.y}, needed_rod_);
-        } else if (met == Obstacle::cylinder) {
-            push(on_cylinder(place), needed_);
-        } else {
-            const double l = place.norm();
-            if (l < nearest) {
-                push({0.0, 0.0}, nearest);
-            } else if (l > maximum) {
-                push({0.0, 0.0}, maximum);
-            } else {
-                const Eigen::AlignedBox2d box = region(std::numeric_limits<double>::infinity());
-                place = place.cwiseMin(box.max()).cwiseMax(box.min());
-                const double from = limits_.shaft_angle_from.value_or(0.0);
-                const double span = angle_span(limits_);
-                if (margin_within(limits_, place.x(), place.y()) < -rounding_ && span < two_pi) {
-                    const Eigen::Vector2d first(std::sin(from), std::cos(from));
-                    const Eigen::Vector2d last(std::sin(from + span), std::cos(from + span));
-                    const Eigen::Vector2d& edge = first.dot(place) > last.dot(place) ? first : last;
-                    place = edge * std::max(edge.dot(place), 0.0);
-                }
-            }
+        const auto cuts = find_cuts({place - half, place + half});
+        if (!cuts) {
+            return false;
+        }
+        for (const HalfPlane& line : cuts->inner) {
+            place += std::max(line.minimum - line.normal.dot(place), 0.0) * line.normal;
         }
     }
-    return obstacle(place.x(), place.y()) == Obstacle::none;
+    return false;
 }
 
 BoxSize ShaftPlaces::box(const Eigen::Vector2d& at) const {

@@ -73,8 +73,8 @@ class ShaftPlaces {
         std::vector<HalfPlane> inner;  ///< places in these are mostly feasible
     };
     std::optional<Cuts> find_cuts(const Eigen::AlignedBox2d& rectangle) const;
-    /// Moves a nearly feasible place to a feasible one, where it finds one.
-    bool make_feasible(Eigen::Vector2d& place) const;
+    /// Moves a place that lacks no more than a distance to a feasible one, where it finds one.
+    bool make_feasible(Eigen::Vector2d& place, double within) const;
     /// A rectangle around all feasible places within a distance of the crank's axis, m.
     Eigen::AlignedBox2d region(double distance) const;
     /// The largest centre distance that gears and limits allow; infinite where they do not.
