@@ -9,14 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
-#include "model/reference_case.h"
-#include "page/compared_figure.h"
 #include "page/part_views.h"
 #include "page/rejected_entries.h"
+#include "pictures/figure.h"
 #include "pictures/file_dialogs.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
@@ -48,53 +46,8 @@ constexpr std::array reliefSizes{
     ReliefSize{field::relief_length, &RelievedShaftSizes::length, &RelievedShaft::length},
     ReliefSize{field::bar_diameter, &RelievedShaftSizes::diameter, &RelievedShaft::diameter}};
 
-/// Of the whole bar drawn on each side of the relief.
-double stubOf(const RelievedShaft& shaft) {
-    return shaft.diameter / 2.0;
-}
-
-double flatOf(const RelievedShaft& shaft) {
-    return shaft.diameter / 2.0 - shaft.depth;
-}
-
-/// Degrees from the middle of what was cut off to the flat's corner.
-double flatAngle(const RelievedShaft& shaft) {
-    return std::atan2(flatOf(shaft), shaft.half_width) / degree;
-}
-
-QRectF circleOf(const RelievedShaft& shaft) {
-    const double radius = shaft.diameter / 2.0;
-    return {-radius, -radius, 2.0 * radius, 2.0 * radius};
-}
-
-/// The section about its middle, m, y down.
-QPainterPath sectionOf(const RelievedShaft& shaft) {
-    const double angle = flatAngle(shaft);
-    QPainterPath section;
-    section.arcMoveTo(circleOf(shaft), 180.0 - angle);
-    section.arcTo(circleOf(shaft), 180.0 - angle, 180.0 + 2.0 * angle);
-    section.closeSubpath();
-    return section;
-}
-
-/// The side view about its middle, likewise.
-QPainterPath sideOf(const RelievedShaft& shaft) {
-    const double radius = shaft.diameter / 2.0;
-    const double flat = flatOf(shaft);
-    const double end = shaft.length / 2.0;
-    const double outer = end + stubOf(shaft);
-    QPainterPath side;
-    side.addPolygon(QPolygonF{QPointF(-outer, radius), QPointF(outer, radius),
-                              QPointF(outer, -radius), QPointF(end, -radius), QPointF(end, -flat),
-                              QPointF(-end, -flat), QPointF(-end, -radius),
-                              QPointF(-outer, -radius)});
-    side.closeSubpath();
-    return side;
-}
-
-/// Section and side view of a shaft with a relieved middle, to scale, with its main sizes; dashed,
-/// the reference's.
-class RelievedShaftDrawing : public ComparedFigure {
+/// Section and side view of a shaft with a relieved middle, to scale, with its main sizes.
+class RelievedShaftDrawing : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::RelievedShaftDrawing)
 
   public:
@@ -112,12 +65,12 @@ class RelievedShaftDrawing : public ComparedFigure {
 };
 
 RelievedShaftDrawing::RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent)
-    : ComparedFigure(parent), model_(model) {
+    : QWidget(parent), model_(model) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Drawing of the shaft with a relieved middle"));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
     connect(model, &SceneModel::changed, this, &RelievedShaftDrawing::follow);
-    followReference(model);
+    makeFigure(this);
     follow();
 }
 
@@ -137,93 +90,71 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     painter.fillRect(rect(), theme.panel());
     painter.setFont(Theme::font(Theme::smallSize));
-    const RelievedShaft own = model_->result().relieved_shaft;
-    if (!(own.half_width > 0.0)) {
+    const RelievedShaft& shaft = model_->result().relieved_shaft;
+    if (!(shaft.half_width > 0.0)) {
         painter.setPen(theme.mutedText());
         painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
         return;
     }
-    std::vector<RelievedShaft> shown{own};
-    if (const BalanceShaftModel* other = referenceOf(model_)) {
-        if (other->result().relieved_shaft.half_width > 0.0) {
-            shown.push_back(other->result().relieved_shaft);
-        }
-    }
-    double radius = 0.0;  // the larger
-    double half = 0.0;    // of the longer side view
-    for (const RelievedShaft& each : shown) {
-        radius = std::max(radius, each.diameter / 2.0);
-        half = std::max(half, each.length / 2.0 + stubOf(each));
-    }
-    // Section at the left, a gap of one diameter, the side view.
-    const double wide = 4.0 * radius + 2.0 * half;
+    // Section at the left, a gap of one diameter, the side view with half a diameter of whole bar
+    // on both sides.
+    const double wide = 3.0 * shaft.diameter + shaft.length;
     const double row = painter.fontMetrics().height();
     const double axes = 8.0;  // of the section, beyond it
     const double margin = axes + 12.0 + row;
     const double scale =
-        std::min((width() - 2.0 * margin) / wide, (height() - 2.0 * margin) / (2.0 * radius));
+        std::min((width() - 2.0 * margin) / wide, (height() - 2.0 * margin) / shaft.diameter);
     if (scale <= 0.0) {
         return;
     }
-    const QPointF section((width() - wide * scale) / 2.0 + radius * scale, height() / 2.0);
-    const QPointF side(section.x() + (3.0 * radius + half) * scale, section.y());
-    const auto map = [scale](const QPointF& middle) {
-        return QTransform::fromScale(scale, scale) *
-               QTransform::fromTranslate(middle.x(), middle.y());
-    };
-    const auto at = [scale](const QPointF& middle, double x, double y) {
-        return middle + QPointF(x * scale, -y * scale);
-    };
-    const QPen outline(theme.text(), 1.6);
-    const QPen axis(theme.mutedText(), 1.0, Qt::DashDotLine);
-    const QPen removed(theme.colour(Role::Shaft), 1.2, Qt::DashLine);
+    const double radius = scale * shaft.diameter / 2.0;
+    const double flat = radius - scale * shaft.depth;
+    const double end = scale * shaft.length / 2.0;
+    const double outer = end + radius;
+    const QPointF section((width() - wide * scale) / 2.0 + radius, height() / 2.0);
+    const QPointF side(section.x() + 3.0 * radius + outer, section.y());
+    // From the middle of what was cut off to the flat's corner.
+    const double angle = std::atan2(flat, scale * shaft.half_width) / degree;
+    const QRectF circle(section - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
+    QPainterPath outline;
+    outline.arcMoveTo(circle, 180.0 - angle);
+    outline.arcTo(circle, 180.0 - angle, 180.0 + 2.0 * angle);
+    outline.closeSubpath();
+    outline.addPolygon(QPolygonF{QPointF(-outer, radius), QPointF(outer, radius),
+                                 QPointF(outer, -radius), QPointF(end, -radius),
+                                 QPointF(end, -flat), QPointF(-end, -flat), QPointF(-end, -radius),
+                                 QPointF(-outer, -radius)}
+                           .translated(side));
+    outline.closeSubpath();
     QColor steel = theme.colour(Role::Neutral);
     steel.setAlpha(60);
-
-    painter.setPen(outline);
+    painter.setPen(QPen(theme.text(), 1.6));
     painter.setBrush(steel);
-    painter.drawPath(map(section).map(sectionOf(own)));
-    painter.drawPath(map(side).map(sideOf(own)));
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(removed);
-    const double angle = flatAngle(own);
-    const double bar = own.diameter / 2.0;
-    painter.drawArc(map(section).mapRect(circleOf(own)), static_cast<int>(16 * angle),
-                    static_cast<int>(16 * (180 - 2 * angle)));
-    painter.drawLine(at(side, -own.length / 2.0, bar), at(side, own.length / 2.0, bar));
-    painter.setPen(axis);
-    const double cross = bar + axes / scale;
-    painter.drawLine(at(section, -cross, 0.0), at(section, cross, 0.0));
-    painter.drawLine(at(section, 0.0, cross), at(section, 0.0, -cross));
-    const double reach = own.length / 2.0 + 1.2 * stubOf(own);
-    painter.drawLine(at(side, -reach, 0.0), at(side, reach, 0.0));
+    painter.drawPath(outline);
+    const auto line = [&](const QPointF& middle, const QPointF& reach, double up = 0.0) {
+        const QPointF at = middle - QPointF(0.0, up);
+        painter.drawLine(at - reach, at + reach);
+    };
+    painter.setPen(QPen(theme.colour(Role::Shaft), 1.2, Qt::DashLine));  // what was cut off
+    painter.drawArc(circle, static_cast<int>(16 * angle), static_cast<int>(16 * (180 - 2 * angle)));
+    line(side, {end, 0.0}, radius);
+    painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashDotLine));
+    line(section, {radius + axes, 0.0});
+    line(section, {0.0, radius + axes});
+    line(side, {end + 1.2 * radius, 0.0});
     // Centre of mass.
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.accent());
-    painter.drawEllipse(at(section, 0.0, -own.centre_of_mass_radius), 3.5, 3.5);
+    painter.drawEllipse(section + QPointF(0.0, scale * shaft.centre_of_mass_radius), 3.5, 3.5);
 
-    // The reference, about the same middles.
-    if (shown.size() > 1) {
-        painter.setPen(QPen(theme.mutedText(), 1.2, Qt::DashLine));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawPath(map(section).map(sectionOf(shown[1])));
-        painter.drawPath(map(side).map(sideOf(shown[1])));
-        painter.setPen(theme.mutedText());
-        painter.drawText(QPointF(8.0, painter.fontMetrics().ascent() + 4.0),
-                         QStringLiteral("- - ") + referenceName());
-    }
-
-    // Sizes.
     painter.setPen(theme.text());
-    const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
-    const QPointF below(0.0, axes + 4.0 + row / 2.0);
-    const QPointF above = -below;
-    drawing::drawCentred(painter, at(section, 0.0, -radius) + below,
-                         QStringLiteral("⌀ ") + mm(own.diameter));
-    drawing::drawCentred(painter, at(section, 0.0, radius) + above,
-                         QStringLiteral("h ") + mm(own.depth));
-    drawing::drawCentred(painter, at(side, 0.0, radius) + above,
-                         QStringLiteral("b ") + mm(own.length));
+    const auto size = [&](const QPointF& at, const QString& sign, double metres) {
+        drawing::drawCentred(painter, at, sign + shownNumber(metres, units::mm, 1));
+    };
+    const QPointF below(0.0, radius + axes + 4.0 + row / 2.0);
+    size(section + below, QStringLiteral("⌀ "), shaft.diameter);
+    size(section - below, QStringLiteral("h "), shaft.depth);
+    size(side - below, QStringLiteral("b "), shaft.length);
 }
 
 }  // namespace
