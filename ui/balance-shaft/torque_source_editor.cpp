@@ -253,9 +253,6 @@ void TorqueSourceEditor::importTrace(const QString& path) {
                              file.path() + QStringLiteral(": ") + why);
         return;
     }
-    described_ = file.understoodText();
-    describedSum_ = model_->input().torque.trace_file.sum_now;
-    showInput();
 }
 
 void TorqueSourceEditor::showForm(int page) {
@@ -268,13 +265,10 @@ void TorqueSourceEditor::showForm(int page) {
                   : torque.is_computed() ? tr("No pressure trace yet; the computed cycle is used.")
                                          : tr("No pressure trace yet; the table is used."));
     const QString file = QString::fromStdString(torque.trace_file.name);
-    const QString name = QFileInfo(file).fileName();
     showOrHide(trace_, file.isEmpty() ? QString()
                        : torque.trace.pressure.empty()
                            ? tr("%1 cannot be read; import it again from its new place.").arg(file)
-                       : torque.trace_file.sum_now == describedSum_
-                           ? name + QStringLiteral(": ") + described_
-                           : tr("Pressure trace: %1.").arg(name));
+                           : tr("Pressure trace: %1.").arg(QFileInfo(file).fileName()));
     trace_->setToolTip(file);
 }
 

@@ -2,7 +2,6 @@
 
 #include <QWidget>
 #include <optional>
-#include <string>
 
 class QComboBox;
 class QLabel;
@@ -48,9 +47,7 @@ class TorqueSourceEditor : public QWidget {
     QComboBox* choice_ = nullptr;
     QStackedWidget* forms_ = nullptr;
     TorqueTableEditor* table_ = nullptr;
-    QLabel* trace_ = nullptr;   ///< the file that the trace is of
-    QString described_;         ///< the latest reading
-    std::string describedSum_;  ///< SHA-256 of that file
+    QLabel* trace_ = nullptr;  ///< the file that the trace is of
     TroubleLine* trouble_ = nullptr;
     QWidget* check_ = nullptr;
     QWidget* noTable_ = nullptr;

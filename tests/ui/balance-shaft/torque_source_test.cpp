@@ -100,15 +100,7 @@ TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
     EXPECT_EQ(model->input().torque.kind, Kind::pressure);
     ASSERT_TRUE(model->result().indicated.has_value());
     EXPECT_NEAR(model->result().indicated->peak_pressure, 61e5, 1e3);
-    const auto* trace = find<QLabel>("trace_file");
-    EXPECT_TRUE(trace->text().startsWith(QStringLiteral("trace.csv: 14")));
-    Json input = model->inputJson();
-    input["torque"]["pressure"]["csv"] = "trace.csv";
-    const CaseContext beside{folder.path().toStdString()};
-    BalanceShaftPage reopened;
-    reopened.model()->loadCase(input, beside, {});
-    EXPECT_EQ(test::named<QLabel>(reopened, "trace_file")->text(),
-              QStringLiteral("Pressure trace: trace.csv."));
+    EXPECT_EQ(find<QLabel>("trace_file")->text(), QStringLiteral("Pressure trace: trace.csv."));
     write_text_file(path.toStdString(), "0;1\n360;x\n720;1\n");
     EXPECT_TRUE(test::importBy(page, [&] {
                     source->importTrace(path);
