@@ -116,18 +116,6 @@ void addTable(const ScenePage& page, const PagePart& part, const Results& result
     group.tables += paper::table(table);
 }
 
-Drawing sideBySide(const Drawing& left, const Drawing& right) {
-    return {left.caption + QStringLiteral(" · ") + right.caption,
-            left.description + QStringLiteral(" · ") + right.description,
-            QSize(left.size.width() + right.size.width(),
-                  std::max(left.size.height(), right.size.height())),
-            [left, right](QPainter& painter) {
-                left.draw(painter);
-                painter.translate(left.size.width(), 0);
-                right.draw(painter);
-            }};
-}
-
 /// The pictures: that of the mechanism is part of the answer, else the first two beside the tabs.
 void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& answer,
                  Paper& report) {
@@ -149,8 +137,11 @@ void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& ans
     }
     auto rest = others.begin();
     if (answer.figures.isEmpty() && others.size() > 1) {
-        answer.figures +=
-            report.figure(sideBySide(drawingOf(others[0], half), drawingOf(others[1], half)));
+        const QString left = report.picture(drawingOf(others[0], half));
+        const QString right = report.picture(drawingOf(others[1], half));
+        answer.figures += QStringLiteral("<p class=\"figure\">%1%2<br/>%3 · %4</p>\n")
+                              .arg(left, right, others[0]->accessibleName().toHtmlEscaped(),
+                                   others[1]->accessibleName().toHtmlEscaped());
         rest += 2;
     }
     for (; rest != others.end(); ++rest) {

@@ -60,17 +60,33 @@ void layOut(QWidget* picture) {
     }
 }
 
-/// The picture laid out at a size and drawn at another, as large as its shape allows, in the
-/// middle.
-Drawing drawn(QWidget* picture, const QSize& laidOut, const QSize& size) {
-    return {picture->accessibleName(), picture->accessibleDescription(), size,
-            [picture = QPointer(picture), laidOut, size](QPainter& painter) {
-                if (picture) {
-                    drawAt(picture, laidOut, [&] {
+QString descriptionOf(const QWidget& figure) {
+    const QString description = figure.accessibleDescription();
+    return description.isEmpty() ? figure.accessibleName() : description;
+}
+
+void drawInto(QWidget* figure, QPainter& painter, const QRectF& room) {
+    if (auto* plot = qobject_cast<PlotView*>(figure)) {
+        plot->renderTo(painter, room);
+    } else {
+        drawFigure(figure, painter, room);
+    }
+}
+
+/// The figure laid out at a size and drawn at another, as large as its shape allows, in the middle.
+Drawing drawn(QWidget* figure, const QSize& laidOut, const QSize& size) {
+    const auto* plot = qobject_cast<const PlotView*>(figure);
+    const QString caption = plot == nullptr    ? figure->accessibleName()
+                            : plot->isZoomed() ? ReportWords::tr("A section: the plot is zoomed.")
+                                               : QString();
+    return {caption, descriptionOf(*figure), size,
+            [figure = QPointer(figure), laidOut, size](QPainter& painter) {
+                if (figure) {
+                    drawAt(figure, laidOut, [&] {
                         QRectF room(QPointF(),
-                                    QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
+                                    QSizeF(figure->size()).scaled(size, Qt::KeepAspectRatio));
                         room.moveCenter(QRectF(QPointF(), size).center());
-                        drawFigure(picture, painter, room);
+                        drawInto(figure, painter, room);
                     });
                 }
             }};
@@ -78,42 +94,30 @@ Drawing drawn(QWidget* picture, const QSize& laidOut, const QSize& size) {
 
 }  // namespace
 
-Drawing drawingOf(PlotView* plot) {
-    // As high as it is on the page, within reason.
-    const double shape = static_cast<double>(plot->height()) / std::max(plot->width(), 1);
-    constexpr double narrow = 0.62;  // on the page it shares its row
-    const int width = shape < narrow ? figureWidth : narrowWidth;
-    const QSize size(width, std::clamp(static_cast<int>(width * shape), 270, 430));
-    return {plot->isZoomed() ? ReportWords::tr("A section: the plot is zoomed.") : QString(),
-            plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
-            size, [plot = QPointer(plot), size](QPainter& painter) {
-                if (plot) {
-                    drawAt(plot, size,
-                           [&] { plot->renderTo(painter, QRectF(QPointF(), QSizeF(size))); });
-                }
+Drawing drawingOf(const std::shared_ptr<QWidget>& figure) {
+    return {{}, descriptionOf(*figure), figure->size(), [figure](QPainter& painter) {
+                drawInto(figure.get(), painter, QRectF(QPointF(), figure->size()));
             }};
 }
 
-Drawing drawingOf(const std::shared_ptr<PlotView>& plot) {
-    const QSize size = plot->size();
-    return {{},
-            plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
-            size,
-            [plot, size](QPainter& painter) {
-                plot->renderTo(painter, QRectF(QPointF(), QSizeF(size)));
-            }};
-}
-
-Drawing drawingOf(QWidget* picture) {
-    if (!picture->isVisible()) {
-        layOut(picture);
+Drawing drawingOf(QWidget* figure) {
+    if (qobject_cast<PlotView*>(figure) != nullptr) {
+        // As high as it is on the page, within reason.
+        const double shape = static_cast<double>(figure->height()) / std::max(figure->width(), 1);
+        constexpr double narrow = 0.62;  // on the page it shares its row
+        const int width = shape < narrow ? figureWidth : narrowWidth;
+        const QSize size(width, std::clamp(static_cast<int>(width * shape), 270, 430));
+        return drawn(figure, size, size);
+    }
+    if (!figure->isVisible()) {
+        layOut(figure);
     }
     // Its letters are those of a window: of 11 pixels, on paper at least 6 pt and at most 12.
     constexpr double smaller = 0.73;
     constexpr double larger = 1.4;
-    const QSize own = picture->size();
+    const QSize own = figure->size();
     const QSize laidOut = own.scaled((maxOfPicture / smaller).boundedTo(own), Qt::KeepAspectRatio);
-    return drawn(picture, laidOut,
+    return drawn(figure, laidOut,
                  laidOut.scaled(maxOfPicture.boundedTo(larger * laidOut), Qt::KeepAspectRatio));
 }
 

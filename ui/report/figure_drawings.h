@@ -8,15 +8,11 @@ class QWidget;
 
 namespace ravnoves {
 
-class PlotView;
-
-/// A plot of the page, as tall as on the page.
-paper::Drawing drawingOf(PlotView* plot);
-/// A plot that was made for the report, at its size.
-paper::Drawing drawingOf(const std::shared_ptr<PlotView>& plot);
-/// A picture of the page, in its shape there.
-paper::Drawing drawingOf(QWidget* picture);
-/// The same of one that fills any shape.
+/// A plot of the page, as tall as on the page, or a picture in its shape there.
+paper::Drawing drawingOf(QWidget* figure);
+/// The same of a picture that fills any shape.
 paper::Drawing drawingOf(QWidget* picture, const QSize& size);
+/// A figure that was made for the report, at its size.
+paper::Drawing drawingOf(const std::shared_ptr<QWidget>& figure);
 
 }  // namespace ravnoves

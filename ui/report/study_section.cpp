@@ -4,7 +4,6 @@
 
 #include "model/background_job.h"
 #include "model/scene_model.h"
-#include "pictures/figure.h"
 #include "plot/plot_view.h"
 #include "report/figure_drawings.h"
 #include "report/patience.h"
@@ -89,11 +88,8 @@ Drawing tornadoOf(const StudyModel& study, const StudyAnswer& value) {
     auto view = std::make_shared<TornadoView>();
     view->setShares(&value, study);
     constexpr int width = 640;
-    const QSize size(width, view->heightForWidth(width));
-    view->resize(size);
-    return {{}, view->accessibleName(), size, [view, size](QPainter& painter) {
-                drawFigure(view.get(), painter, QRectF(QPointF(), size));
-            }};
+    view->resize(width, view->heightForWidth(width));
+    return drawingOf(view);
 }
 
 /// What the user sweeps in the window of the tolerances.
@@ -118,7 +114,7 @@ void addSweep(Paper& report, StudyModel& study, const Patience& patience) {
         plot->showFigure(figure);
         plot->resize(660, plots.empty() ? 300 : 180);
         plots << plot;
-        report.body += report.figure(drawingOf(std::shared_ptr<PlotView>(sheet, plot)));
+        report.body += report.figure(drawingOf(std::shared_ptr<QWidget>(sheet, plot)));
     }
     PlotView::stack(plots);
     const ShownTitle input = study.inputTitle(model.input());
