@@ -49,8 +49,10 @@ bool isNumbers(const Json& value) {
                                            [](const Json& each) { return each.is_number(); });
 }
 
-bool isRow(const Json& value) {
-    return std::all_of(value.begin(), value.end(),
+/// A list of objects.
+bool isRows(const Json& value) {
+    return value.is_array() && !value.empty() &&
+           std::all_of(value.begin(), value.end(),
                        [](const Json& each) { return each.is_object(); });
 }
 
@@ -115,8 +117,7 @@ class Inputs {
     void object(const Json& json, const std::string& pointer) {
         for (const auto& [key, value] : json.items()) {
             const std::string at = pointer + "/" + escape_segment(key);
-            const bool isNested = value.is_object() || (value.is_array() && isRow(value));
-            if (!isNested && !value.is_null()) {
+            if (!value.is_object() && !isRows(value) && !value.empty()) {
                 main_.rows << QStringList{
                     nameOf(at).toHtmlEscaped(), valueText(at, value).toHtmlEscaped(),
                     unitOf(at).name.toHtmlEscaped(), meaningOf(at).toHtmlEscaped()};
@@ -127,15 +128,19 @@ class Inputs {
             if (value.is_object() && !value.empty()) {
                 main_.rows << QStringList{nameOf(at).toHtmlEscaped()};
                 object(value, at);
-            } else if (value.is_array() && !value.empty() && isRow(value)) {
-                list(value, at);
+            } else if (isRows(value)) {
+                std::vector<std::pair<QString, const Json*>> rows;
+                for (const Json& row : value) {
+                    rows.emplace_back(QString::number(rows.size() + 1), &row);
+                }
+                list(rows, at + "/0", nameOf(at));
             }
         }
         numberLists(json, pointer);
     }
 
     /// The long lists of numbers of an object. Those of one length are the columns of one table,
-    /// whose parts stand side by side.
+    /// whose parts stand side by side; a list alone has the numbers of its values.
     void numberLists(const Json& json, const std::string& pointer) {
         std::map<std::size_t, std::vector<std::string>> byLength;
         for (const auto& [key, value] : json.items()) {
@@ -146,10 +151,10 @@ class Inputs {
         for (const auto& [length, keys] : byLength) {
             constexpr std::size_t maxColumns = 8;
             constexpr std::size_t minRows = 8;
-            const bool isCounted = keys.size() == 1;  // a list alone: which value it is
-            const std::size_t columns = keys.size() + (isCounted ? 1 : 0);
+            const bool isCounted = keys.size() == 1;
             const std::size_t parts =
-                std::clamp<std::size_t>(maxColumns / columns, 1, (length + minRows - 1) / minRows);
+                std::clamp<std::size_t>(maxColumns / std::max<std::size_t>(keys.size(), 2), 1,
+                                        (length + minRows - 1) / minRows);
             const std::size_t rows = (length + parts - 1) / parts;
             Table table;
             QStringList names;
@@ -157,54 +162,28 @@ class Inputs {
                 names << nameOf(pointer + "/" + key);
             }
             table.caption = names.join(QStringLiteral("; "));
-            for (std::size_t part = 0; part < parts; ++part) {
-                if (isCounted) {
+            table.rows.resize(static_cast<qsizetype>(rows));
+            for (std::size_t at = 0; at < parts * rows; ++at) {
+                QStringList& cells = table.rows[static_cast<qsizetype>(at % rows)];
+                const bool isHead = at % rows == 0;
+                if (isHead && isCounted) {
                     table.headings << QStringLiteral("№");
                     table.numbers << true;
                 }
+                if (isCounted) {
+                    cells << (at < length ? QString::number(at + 1) : QString());
+                }
                 for (const std::string& key : keys) {
-                    addColumn(pointer + "/" + key, table);
-                }
-            }
-            for (std::size_t row = 0; row < rows; ++row) {
-                QStringList cells;
-                for (std::size_t part = 0; part < parts; ++part) {
-                    const std::size_t at = part * rows + row;
-                    if (isCounted) {
-                        cells << (at < length ? QString::number(at + 1) : QString());
+                    if (isHead) {
+                        addColumn(pointer + "/" + key, table);
                     }
-                    for (const std::string& key : keys) {
-                        cells << (at < length ? numberText(json.at(key)[at].get<double>(),
-                                                           unitOf(pointer + "/" + key))
-                                              : QString());
-                    }
+                    cells << (at < length ? numberText(json.at(key)[at].get<double>(),
+                                                       unitOf(pointer + "/" + key))
+                                          : QString());
                 }
-                table.rows << cells;
             }
             lists_.push_back(std::move(table));
         }
-    }
-
-    void flatten(const Json& json, std::vector<std::string>& keys,
-                 const std::string& prefix) const {
-        for (const auto& [key, value] : json.items()) {
-            const std::string path = prefix + "/" + escape_segment(key);
-            if (value.is_object()) {
-                flatten(value, keys, path);
-            } else if (std::find(keys.begin(), keys.end(), path) == keys.end()) {
-                keys.push_back(path);
-            }
-        }
-    }
-
-    /// What each row of a list of objects has, by the way to it; a list of objects within a row is
-    /// one of them.
-    std::vector<std::string> pathsOf(const Json& rows) const {
-        std::vector<std::string> paths;
-        for (const Json& row : rows) {
-            flatten(row, paths, {});
-        }
-        return paths;
     }
 
     void addColumn(const std::string& pointer, Table& table) const {
@@ -212,89 +191,63 @@ class Inputs {
         table.numbers << true;
     }
 
-    QStringList cellsOf(const Json& row, const std::vector<std::string>& paths,
-                        const std::string& pointer) const {
-        QStringList cells;
-        for (const std::string& path : paths) {
-            const Json::json_pointer at(path);
-            cells << (row.contains(at) ? valueText(pointer + path, row.at(at)) : QString())
-                         .toHtmlEscaped();
+    /// The ways to the values of an object.
+    static void collectPaths(const Json& json, const std::string& prefix,
+                             std::vector<std::string>& paths) {
+        for (const auto& [key, value] : json.items()) {
+            const std::string path = prefix + "/" + escape_segment(key);
+            if (value.is_object()) {
+                collectPaths(value, path, paths);
+            } else if (std::find(paths.begin(), paths.end(), path) == paths.end()) {
+                paths.push_back(path);
+            }
         }
-        return cells;
     }
 
-    /// One line a row; where the rows hold a list of objects themselves, one for each object of it,
-    /// and what the row has beside in the first of its lines. Each further such list is a table of
-    /// its own.
-    void list(const Json& rows, const std::string& pointer) {
-        std::vector<std::string> paths = pathsOf(rows);
-        const auto isList = [&](const std::string& path) {
+    /// A list of objects, a line for each. A list within them is a table of its own, whose lines
+    /// have the number of the object before their own: 2.1.
+    /// @param pointer  of any of them, to what describes it
+    void list(const std::vector<std::pair<QString, const Json*>>& objects,
+              const std::string& pointer, const QString& caption) {
+        std::vector<std::string> paths;
+        for (const auto& [number, json] : objects) {
+            collectPaths(*json, {}, paths);
+        }
+        const auto isWithin = [&](const std::string& path) {
             const Json::json_pointer at(path);
-            return std::any_of(rows.begin(), rows.end(), [&](const Json& row) {
-                return row.contains(at) && row.at(at).is_array() && !row.at(at).empty() &&
-                       isRow(row.at(at));
+            return std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+                return object.second->contains(at) && isRows(object.second->at(at));
             });
         };
-        const auto firstList =
-            std::stable_partition(paths.begin(), paths.end(), std::not_fn(isList));
-        const std::vector<std::string> within(firstList, paths.end());
-        paths.erase(firstList, paths.end());
-        const QString caption = nameOf(pointer);
-        lists_.push_back(
-            rowTable(rows, pointer, caption, paths, within.empty() ? std::string() : within[0]));
-        for (std::size_t i = 1; i < within.size(); ++i) {
-            const QString name = nameOf(pointer + "/0" + within[i]);
-            lists_.push_back(
-                rowTable(rows, pointer, caption + QStringLiteral(": ") + name, {}, within[i]));
+        const auto firstWithin =
+            std::stable_partition(paths.begin(), paths.end(), std::not_fn(isWithin));
+        Table table{.caption = caption, .headings = {QStringLiteral("№")}, .numbers = {false}};
+        std::for_each(paths.begin(), firstWithin,
+                      [&](const std::string& path) { addColumn(pointer + path, table); });
+        for (const auto& [number, json] : objects) {
+            QStringList cells{number};
+            for (auto path = paths.begin(); path != firstWithin; ++path) {
+                const Json::json_pointer at(*path);
+                cells << (json->contains(at) ? valueText(pointer + *path, json->at(at)) : QString())
+                             .toHtmlEscaped();
+            }
+            table.rows << cells;
         }
-    }
-
-    /// @param paths   what a row has
-    /// @param within  the list of objects in a row; empty: none
-    Table rowTable(const Json& rows, const std::string& pointer, const QString& caption,
-                   const std::vector<std::string>& paths, const std::string& within) {
-        const std::string first = pointer + "/0";
-        Json parts = Json::array();  // of all rows, for the columns
-        if (!within.empty()) {
-            for (const Json& row : rows) {
-                for (const Json& part : row.value(Json::json_pointer(within), Json::array())) {
-                    parts.push_back(part);
+        table.isSmall = table.headings.size() > 6;
+        if (table.headings.size() > 1) {
+            lists_.push_back(std::move(table));
+        }
+        for (auto within = firstWithin; within != paths.end(); ++within) {
+            std::vector<std::pair<QString, const Json*>> parts;
+            for (const auto& [number, json] : objects) {
+                const Json::json_pointer at(*within);
+                for (std::size_t i = 0; json->contains(at) && i < json->at(at).size(); ++i) {
+                    parts.emplace_back(number + QStringLiteral(".%1").arg(i + 1), &json->at(at)[i]);
                 }
             }
+            list(parts, pointer + *within + "/0",
+                 caption + QStringLiteral(": ") + nameOf(pointer + *within));
         }
-        const std::string firstPart = first + within + "/0";
-        const std::vector<std::string> partPaths = pathsOf(parts);
-        Table table;
-        table.caption = caption;
-        table.headings << QStringLiteral("№");
-        table.numbers << false;
-        for (const std::string& path : paths) {
-            addColumn(first + path, table);
-        }
-        if (!within.empty()) {
-            addColumn(first + within, table);
-        }
-        for (const std::string& path : partPaths) {
-            addColumn(firstPart + path, table);
-        }
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const QStringList cells =
-                QStringList{QString::number(i + 1)} + cellsOf(rows[i], paths, first);
-            if (within.empty()) {
-                table.rows << cells;
-                continue;
-            }
-            QStringList before = cells;
-            int number = 0;
-            for (const Json& part : rows[i].value(Json::json_pointer(within), Json::array())) {
-                ++number;
-                table.rows << before + QStringList{QString::number(number)} +
-                                  cellsOf(part, partPaths, firstPart);
-                before = QStringList(cells.size());
-            }
-        }
-        table.isSmall = paths.size() + partPaths.size() > 5;
-        return table;
     }
 
     FieldNames names_;

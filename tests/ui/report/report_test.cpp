@@ -251,10 +251,10 @@ TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
     const auto number = [](const char* shown) {
         return u"<td class=\"number\">%1</td>"_s.arg(QLatin1String(shown));
     };
-    const std::vector<std::vector<const char*>> lines{{"1", "1", "411", "31.5", "1505.25"},
-                                                      {"", "2", "622", "275", "1505.25"},
-                                                      {"2", "1", "133", "42", "1505.25"},
-                                                      {"", "2", "144", "0", ""}};
+    const std::vector<std::vector<const char*>> lines{{"1.1", "411", "31.5", "1505.25"},
+                                                      {"1.2", "622", "275", "1505.25"},
+                                                      {"2.1", "133", "42", "1505.25"},
+                                                      {"2.2", "144", "0", ""}};
     for (const auto& line : lines) {
         QString cells = u"<td>%1</td>"_s.arg(QLatin1String(line[0]));
         for (std::size_t i = 1; i < line.size(); ++i) {
@@ -263,7 +263,7 @@ TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
         EXPECT_TRUE(text.contains(cells)) << cells.toStdString();
     }
     EXPECT_FALSE(text.contains(u"diameter_mm"_s));
-    EXPECT_TRUE(text.contains(u"<td>2</td>"_s + number("1") + number("Rear") + number("12.5") +
+    EXPECT_TRUE(text.contains(u"<td>2.1</td>"_s + number("Rear") + number("12.5") +
                               number("11.25") + number("66") + number("17.5")))
         << "what was drilled after it is a table of its own";
     EXPECT_TRUE(text.contains(u"Rear plane: ⌀ 12.5\u00A0mm"_s)) << "and among the results";
