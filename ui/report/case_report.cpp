@@ -4,6 +4,7 @@
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QFileInfo>
+#include <QScopeGuard>
 #include <algorithm>
 #include <cmath>
 
@@ -37,32 +38,6 @@ QString shortened(const QString& text) {
     constexpr qsizetype longest = 400;
     return text.size() <= longest ? text : text.left(longest) + QChar(0x2026);
 }
-
-/// Paper is white: the page is drawn in the light theme meanwhile.
-class LightTheme {
-  public:
-    explicit LightTheme(QWidget* window)
-        : window_(window), mode_(Theme::instance().mode()), changes_(Theme::instance().isDark()) {
-        QApplication::setOverrideCursor(Qt::WaitCursor);
-        window_->setUpdatesEnabled(false);
-        if (changes_) {
-            Theme::instance().setMode(Theme::Mode::Light);
-        }
-    }
-    ~LightTheme() {
-        if (changes_) {
-            Theme::instance().setMode(mode_);
-        }
-        window_->setUpdatesEnabled(true);
-        QApplication::restoreOverrideCursor();
-    }
-    Q_DISABLE_COPY_MOVE(LightTheme)
-
-  private:
-    QWidget* window_;
-    Theme::Mode mode_;
-    bool changes_;
-};
 
 /// The case as its file holds it, or would hold it; as text what it is of.
 std::pair<QString, QString> fingerprint(CaseDocument& document) {
@@ -282,7 +257,23 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
         return source;
     }
     return writeFile(path, [&] {
-        const LightTheme light(page.window());
+        // Paper is white: the page is drawn in the light theme meanwhile, unseen.
+        Theme& theme = Theme::instance();
+        const auto setMode = [&](Theme::Mode mode) {
+            if (mode != theme.mode()) {
+                theme.setMode(mode);
+            }
+        };
+        QApplication::setOverrideCursor(Qt::WaitCursor);
+        page.window()->setUpdatesEnabled(false);
+        const auto restore = qScopeGuard([&, mode = theme.mode()] {
+            setMode(mode);
+            page.window()->setUpdatesEnabled(true);
+            QApplication::restoreOverrideCursor();
+        });
+        if (theme.isDark()) {
+            setMode(Theme::Mode::Light);
+        }
         const ReportChoice choice;
         const Paper report = makeReport(page, document, choice, patience);
         return (isPdf(path) ? paperAsPdf(report, QPageSize(choice.paper)) : paperAsHtml(report))

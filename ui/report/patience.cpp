@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QEventLoop>
-#include <QTimer>
+#include <QThread>
 #include <utility>
 
 namespace ravnoves {
@@ -18,17 +18,9 @@ void Patience::tell(const QString& stage, double part) const {
     }
 }
 
-void Patience::wait(int longest) const {
-    const QEventLoop::ProcessEventsFlags flags =
-        isCancelled_ ? QEventLoop::AllEvents : QEventLoop::ExcludeUserInputEvents;
-    if (longest > 0) {
-        // processEvents() with a time looks for events without a pause instead of waiting.
-        QEventLoop loop;
-        QTimer::singleShot(longest, &loop, [] {});
-        loop.processEvents(flags | QEventLoop::WaitForMoreEvents);
-    } else {
-        QCoreApplication::processEvents(flags);
-    }
+void Patience::wait() const {
+    QCoreApplication::processEvents(isCancelled_ ? QEventLoop::AllEvents
+                                                 : QEventLoop::ExcludeUserInputEvents);
     if (isCancelled_ && isCancelled_()) {
         throw ReportCancelled();
     }
@@ -37,9 +29,8 @@ void Patience::wait(int longest) const {
 void Patience::waitWhile(const std::function<bool()>& isBusy, qint64 longest) const {
     QElapsedTimer waited;
     waited.start();
-    wait();
-    while (isBusy() && waited.elapsed() < longest) {
-        wait(20);
+    for (wait(); isBusy() && waited.elapsed() < longest; wait()) {
+        QThread::msleep(10);
     }
 }
 

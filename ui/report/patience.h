@@ -23,9 +23,9 @@ class Patience {
                       std::function<void(const QString& stage, double part)> tell = {});
 
     void tell(const QString& stage, double part) const;
-    /// Handles pending events; without any, waits for one, ms at most.
+    /// Handles pending events.
     /// @throws ReportCancelled
-    void wait(int longest = 0) const;
+    void wait() const;
     /// The same while something is busy, ms at most.
     void waitWhile(const std::function<bool()>& isBusy,
                    qint64 longest = std::numeric_limits<qint64>::max()) const;
