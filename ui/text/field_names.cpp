@@ -152,7 +152,7 @@ QString FieldNames::ownName(const std::string& pointer) const {
 }
 
 /// @param keys  below "input"
-QString FieldNames::insideInput(const std::vector<std::string>& keys) const {
+QStringList FieldNames::insideInput(const std::vector<std::string>& keys) const {
     std::string pointer;
     for (const std::string& key : keys) {
         pointer += '/' + key;
@@ -165,19 +165,14 @@ QString FieldNames::insideInput(const std::vector<std::string>& keys) const {
         at += '/' + keys[i];
         const bool isLast = i + 1 == keys.size();
         if (isPlace(keys[i])) {
-            if (isLast) {  // an element of a list: its row, and what the list holds
-                QString list = parts.isEmpty() ? QString() : parts.takeLast();
-                const FieldEntry* around = entryAt(at.substr(0, at.rfind('/')));
-                if (around == nullptr || around->kind == FieldKind::list) {
-                    parts.clear();  // a column of a table: what it belongs to goes without saying
-                }
-                parts << rowText(keys[i]);
-                if (!list.isEmpty()) {
-                    parts << list;
-                }
-            } else {
-                parts << rowText(keys[i]);
+            // An element of a list: its row, and what the list holds.
+            const QStringList list =
+                isLast && !parts.isEmpty() ? QStringList{parts.takeLast()} : QStringList();
+            const FieldEntry* around = entryAt(at.substr(0, at.rfind('/')));
+            if (isLast && (around == nullptr || around->kind == FieldKind::list)) {
+                parts.clear();  // a column of a table: what it belongs to goes without saying
             }
+            parts << rowText(keys[i]) << list;
             continue;
         }
         const bool holdsRows = !isLast && isPlace(keys[i + 1]);
@@ -185,10 +180,7 @@ QString FieldNames::insideInput(const std::vector<std::string>& keys) const {
             parts << ownName(at);
         }
     }
-    for (qsizetype i = 1; i < parts.size(); ++i) {
-        parts[i] = inSentence(parts[i]);
-    }
-    return parts.join(QStringLiteral(", "));
+    return parts;
 }
 
 QString FieldNames::place(const Message& where) const {
@@ -207,7 +199,7 @@ QString FieldNames::place(const Message& where) const {
     }
     if (keys.size() > 1 && (keys[0] == "input" || keys[0] == "kept")) {
         drop(1);
-        parts << insideInput(keys);
+        parts += insideInput(keys);
     } else {
         for (std::string& key : keys) {
             key = unescaped(key);  // a study names its places by their pointers

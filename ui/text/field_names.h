@@ -43,7 +43,7 @@ class FieldNames {
   private:
     const FieldEntry* labelled(const FieldEntry& entry) const;
     QString named(const std::string& word, const std::string& where) const;
-    QString insideInput(const std::vector<std::string>& keys) const;
+    QStringList insideInput(const std::vector<std::string>& keys) const;
 
     std::map<std::string, FieldEntry> fields_;
 };
