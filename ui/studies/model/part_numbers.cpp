@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "model/scene_model.h"
-#include "numerics/demand.h"
 #include "studies/model/scattered_inputs.h"
 
 namespace ravnoves {
@@ -52,6 +51,38 @@ void appendValues(const std::vector<double>& places, const Figure::Curve* curve,
     }
 }
 
+/// Calls with place and number of each cell that has a number.
+template <typename Use>
+void eachNumber(const Results& results, const Use& use) {
+    for (int row = 0; row < results.rows.size(); ++row) {
+        for (int column = 1; column < results.rows[row].size(); ++column) {
+            if (const ResultNumber* number = results.rows[row][column].number()) {
+                use(row, column, *number);
+            }
+        }
+    }
+}
+
+/// The numbers of a part at the places that it has in the case; not a number where it has none.
+std::vector<double> numbersOf(const Content& ofCase, const Content& content) {
+    std::vector<double> values;
+    if (const auto* places = std::get_if<Figure>(&ofCase)) {
+        const auto* figure = std::get_if<Figure>(&content);
+        for (const Figure::Curve& curve : places->curves) {
+            appendValues(curve.x, figure != nullptr ? figure->find(curve.id) : nullptr, values);
+        }
+    } else if (const auto* cells = std::get_if<Results>(&ofCase)) {
+        const auto* results = std::get_if<Results>(&content);
+        eachNumber(*cells, [&](int row, int column, const ResultNumber& /*number*/) {
+            const bool isThere = results != nullptr && row < results->rows.size() &&
+                                 results->rows[row].key() == cells->rows[row].key();
+            const ResultCell cell = isThere ? results->rows[row].value(column) : ResultCell();
+            values.push_back(cell.number() != nullptr ? cell.number()->value : none);
+        });
+    }
+    return values;
+}
+
 }  // namespace
 
 void ScatteredNumber::add(double value) {
@@ -77,113 +108,72 @@ PartNumbers::PartNumbers(const SceneModel& model, const std::vector<std::string_
         if (!part.hasBand || std::find(ids.begin(), ids.end(), part.id) == ids.end()) {
             continue;
         }
-        parts_.push_back(part.id);
-        const Content content = model.part(part.id);
-        std::vector<double> values;
-        if (const auto* figure = std::get_if<Figure>(&content)) {
-            for (const Figure::Curve& curve : figure->curves) {
-                // A line that goes up and down, or to and fro, has no width along y.
-                places_.push_back({.part = part.id,
-                                   .curve = curve.id,
-                                   .x = curve.x,
-                                   .hasWidth = isAscending(curve.x) || !isLine(curve)});
-                append(places_.back(), content, values);
-            }
-            for (const double value : values) {
-                numbers_.push_back({.nominal = value});
-            }
-        } else if (const auto* results = std::get_if<Results>(&content)) {
-            const std::size_t first = places_.size();
-            double maximum = 0.0;
-            for (int row = 0; row < results->rows.size(); ++row) {
-                for (int column = 1; column < results->rows[row].size(); ++column) {
-                    const ResultNumber* number = results->rows[row][column].number();
-                    if (number == nullptr) {
-                        continue;
-                    }
-                    places_.push_back({.part = part.id,
-                                       .row = row,
-                                       .column = column,
-                                       .key = results->rows[row].key()});
-                    const bool turns = number->kind == ResultNumber::Kind::Direction;
-                    numbers_.push_back({.nominal = number->value, .period = turns ? 360.0 : 0.0});
-                    maximum = std::max(maximum, std::abs(number->value));
-                }
-            }
-            for (std::size_t i = first; i < places_.size(); ++i) {
-                places_[i].maximum = maximum;
-            }
+        Part& kept = parts_.emplace_back(Part{part.id, model.part(part.id), {}});
+        for (const double value : numbersOf(kept.ofCase, kept.ofCase)) {
+            kept.numbers.push_back({.nominal = value});
+        }
+        if (const auto* results = std::get_if<Results>(&kept.ofCase)) {
+            auto next = kept.numbers.begin();
+            eachNumber(*results, [&](int /*row*/, int /*column*/, const ResultNumber& number) {
+                const bool turns = number.kind == ResultNumber::Kind::Direction;
+                (next++)->period = turns ? 360.0 : 0.0;
+            });
         }
     }
-}
-
-void PartNumbers::append(const Place& place, const Content& content, std::vector<double>& values) {
-    if (!place.curve.empty()) {
-        const auto* figure = std::get_if<Figure>(&content);
-        appendValues(place.x, figure != nullptr ? figure->find(place.curve) : nullptr, values);
-        return;
-    }
-    const auto* results = std::get_if<Results>(&content);
-    const bool isThere = results != nullptr && place.row < results->rows.size() &&
-                         results->rows[place.row].key() == place.key;
-    const ResultNumber* number =
-        isThere ? results->rows[place.row].value(place.column).number() : nullptr;
-    values.push_back(number != nullptr ? number->value : none);
 }
 
 void PartNumbers::add(const SceneModel& sample) {
-    std::vector<double> values;
-    values.reserve(numbers_.size());
-    Content content;
-    std::string_view part;
-    for (const Place& place : places_) {
-        if (part != place.part) {
-            part = place.part;
-            content = sample.part(part);
+    for (Part& part : parts_) {
+        const std::vector<double> values = numbersOf(part.ofCase, sample.part(part.id));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            part.numbers[i].add(values[i]);
         }
-        append(place, content, values);
-    }
-    RAVNOVES_DEMAND(values.size() == numbers_.size(), "a sample has the numbers of the case");
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        numbers_[i].add(values[i]);
     }
     ++samples_;
 }
 
 std::map<std::string, PartSpread, std::less<>> PartNumbers::spreads(const QString& how) const {
     std::map<std::string, PartSpread, std::less<>> found;
-    for (const std::string_view part : parts_) {
-        found[std::string(part)].how = how;
-    }
-    auto number = numbers_.begin();
-    for (const Place& place : places_) {
-        PartSpread& spread = found.find(place.part)->second;
-        if (place.curve.empty()) {
-            const auto [below, above] = number->sides(samples_).value_or(std::pair(0.0, 0.0));
-            const double half = 0.5 * (below + above);
-            // What is left of two that cancel is rounding, too.
-            constexpr double cancelled = 1e-14;
-            if (half > rounding * std::abs(number->nominal) && half > cancelled * place.maximum) {
-                spread.cells.push_back({place.row, place.column, place.key, below, above});
+    for (const Part& part : parts_) {
+        PartSpread& spread = found[std::string(part.id)];
+        spread.how = how;
+        auto number = part.numbers.begin();
+        const auto sides = [&] { return number->sides(samples_).value_or(std::pair(0.0, 0.0)); };
+        if (const auto* figure = std::get_if<Figure>(&part.ofCase)) {
+            for (const Figure::Curve& curve : figure->curves) {
+                plot::Spread width;
+                double maximum = 0.0;
+                double largest = 0.0;
+                for (const double x : curve.x) {
+                    if (std::isfinite(x) && std::isfinite(number->nominal)) {  // else not drawn
+                        const auto [below, above] = sides();
+                        width.below.push_back(below);
+                        width.above.push_back(above);
+                        maximum = std::max(maximum, std::abs(number->nominal));
+                        largest = std::max(largest, 0.5 * (below + above));
+                    }
+                    ++number;
+                }
+                // A line that goes up and down, or to and fro, has no width along y.
+                if (largest > rounding * maximum && (isAscending(curve.x) || !isLine(curve))) {
+                    spread.curves.emplace(curve.id, std::move(width));
+                }
             }
-            ++number;
-            continue;
-        }
-        plot::Spread curve;
-        double maximum = 0.0;
-        double largest = 0.0;
-        for (const double x : place.x) {
-            if (std::isfinite(x) && std::isfinite(number->nominal)) {  // else it is not drawn
-                const auto [below, above] = number->sides(samples_).value_or(std::pair(0.0, 0.0));
-                curve.below.push_back(below);
-                curve.above.push_back(above);
-                maximum = std::max(maximum, std::abs(number->nominal));
-                largest = std::max(largest, 0.5 * (below + above));
+        } else if (const auto* results = std::get_if<Results>(&part.ofCase)) {
+            double maximum = 0.0;
+            for (const ScatteredNumber& each : part.numbers) {
+                maximum = std::max(maximum, std::abs(each.nominal));
             }
-            ++number;
-        }
-        if (largest > rounding * maximum && place.hasWidth) {
-            spread.curves.emplace(place.curve, std::move(curve));
+            eachNumber(*results, [&](int row, int column, const ResultNumber& /*number*/) {
+                const auto [below, above] = sides();
+                const double half = 0.5 * (below + above);
+                // What is left of two that cancel is rounding, too.
+                constexpr double cancelled = 1e-14;
+                if (half > rounding * std::abs(number->nominal) && half > cancelled * maximum) {
+                    spread.cells.push_back({row, column, results->rows[row].key(), below, above});
+                }
+                ++number;
+            });
         }
     }
     return found;

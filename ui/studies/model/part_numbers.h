@@ -38,23 +38,13 @@ class PartNumbers {
     std::map<std::string, PartSpread, std::less<>> spreads(const QString& how) const;
 
   private:
-    /// A curve, or a cell of a table.
-    struct Place {
-        std::string_view part;
-        std::string curve = {};
-        std::vector<double> x = {};
-        bool hasWidth = false;  ///< along y
-        int row = 0;
-        int column = 0;
-        QString key = {};
-        double maximum = 0.0;  ///< amount in the table
+    struct Part {
+        std::string_view id;
+        Content ofCase;
+        std::vector<ScatteredNumber> numbers;  ///< in its order
     };
 
-    static void append(const Place& place, const Content& content, std::vector<double>& values);
-
-    std::vector<std::string_view> parts_;
-    std::vector<Place> places_;
-    std::vector<ScatteredNumber> numbers_;  ///< of each place, one after the other
+    std::vector<Part> parts_;
     std::size_t samples_ = 0;
 };
 
