@@ -10048,11 +10048,6 @@
 <context>
     <name>V8</name>
     <message>
-        <source>thread</source>
-        <comment>drawing</comment>
-        <translation>резьба</translation>
-    </message>
-    <message>
         <source>l</source>
         <comment>litre</comment>
         <translation>л</translation>
@@ -14129,10 +14124,6 @@ but at this l no α is feasible</source>
         <translation>Заглушка</translation>
     </message>
     <message>
-        <source>not to scale: sizes on the sheet “Plug”</source>
-        <translation>без масштаба: размеры — на листе «Заглушка»</translation>
-    </message>
-    <message>
         <source>Section of the plug of sheet 4, to scale; sizes without a unit are in millimetres.</source>
         <translation>Заглушка с листа 4 в разрезе, в масштабе; размеры без единицы — в миллиметрах.</translation>
     </message>
@@ -15838,37 +15829,6 @@ but at this l no α is feasible</source>
     <message>
         <source>No balance shafts. Press “Add shaft” under Balancing.</source>
         <translation>Балансирных валов нет. Нажмите «Добавить вал» на вкладке «Баланс».</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ShiftPlot</name>
-    <message>
-        <source>Shift of the plug&apos;s centre of mass</source>
-        <translation>Смещение центра масс заглушки</translation>
-    </message>
-    <message>
-        <source>Coefficient Δk over the shift Δr for five crank radii</source>
-        <translation>Коэффициент Δk от смещения Δr для пяти радиусов кривошипа</translation>
-    </message>
-    <message>
-        <source>Δr, mm</source>
-        <translation>Δr, мм</translation>
-    </message>
-    <message>
-        <source>Δk</source>
-        <translation>Δk</translation>
-    </message>
-    <message>
-        <source>r = %1: %2</source>
-        <translation>r = %1: %2</translation>
-    </message>
-    <message>
-        <source>this engine</source>
-        <translation>этот двигатель</translation>
-    </message>
-    <message>
-        <source>neglected</source>
-        <translation>не учтено</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/reference_case.h"
 #include "page/compared_figure.h"
+#include "theme/theme.h"
+#include "widgets/panel.h"
+#include "workshop/model/workshop_model.h"
 
 namespace ravnoves {
 
@@ -186,6 +190,82 @@ class PlaneDrawing {
     double sign_;  ///< of clockwise
 };
 
+/// A plane as the machine sees it.
+class PlaneView final : public ComparedFigure {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::PlaneView)
+
+  public:
+    PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
+        : ComparedFigure(parent), model_(model), plane_(plane) {
+        setObjectName(QStringLiteral("plane_%1").arg(plane + 1));
+        const auto repaint = [this] {
+            setAccessibleName(model_->planeName(plane_));
+            setAccessibleDescription(caption());
+            update();
+        };
+        for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+            connect(model_, signal, this, repaint);
+        }
+        connect(&Theme::instance(), &Theme::changed, this, repaint);
+        followReference(model_);
+        setToolTip(
+            tr("Arrow: reading; dashed circle: limit; dot: residual; rim: holes and slugs, "
+               "existing holes dimmed. Front view, angles as on the machine."));
+        repaint();
+    }
+
+    QSize sizeHint() const override { return {Theme::withText(240), Theme::withText(250)}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(170), Theme::withText(190)}; }
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        const Theme& theme = Theme::instance();
+        const QRect title = paintPanel(painter, rect(), model_->planeName(plane_));
+        paintReference(painter, title);
+        const QFont small = Theme::font(Theme::smallSize);
+        painter.setFont(small);
+        painter.setPen(theme.mutedText());
+        const QRect foot(Theme::margin, 0, width() - 2 * Theme::margin, height() - Theme::space);
+        QRect said;
+        painter.drawText(foot, Qt::AlignHCenter | Qt::AlignBottom, caption(), &said);
+        const WorkshopModel& shown = model_->shown();
+        const WorkshopModel* other = referenceOf(model_);
+        const QRectF target(QPointF(foot.left(), title.bottom() + Theme::gap),
+                            QPointF(foot.right() + 1, said.top()));
+        drawPlane(painter, target,
+                  {shown.input(), shown.solution(), plane_,
+                   other != nullptr ? &other->solution() : nullptr},
+                  {.line = theme.text(),
+                   .thin = theme.grid(),
+                   .text = theme.mutedText(),
+                   .hole = theme.warning(),
+                   .slug = theme.colour(Role::CrankWeight),
+                   .reading = theme.accent(),
+                   .limit = theme.good(),
+                   .fits = theme.good(),
+                   .exceeds = theme.error(),
+                   .font = small,
+                   .lineWidth = 1.4});
+    }
+
+  private:
+    /// "2885 g·mm at 73.1°"
+    QString caption() const {
+        const auto& correction = model_->shown().solution().correction;
+        if (!correction) {
+            return tr("no correction yet");
+        }
+        const Words words;
+        return tr("%1 at %2")
+            .arg(words.number((*correction)[plane_].unbalance, units::gram_mm, 0),
+                 words.number((*correction)[plane_].angle, units::degree, 1));
+    }
+
+    WorkshopModel* model_;
+    std::size_t plane_;
+};
+
 }  // namespace
 
 void drawPlane(QPainter& painter, const QRectF& target, const PlaneShown& shown,
@@ -202,6 +282,10 @@ void drawPlane(QPainter& painter, const QRectF& target, const PlaneShown& shown,
         PlaneDrawing(painter, rim, shown, style).draw();
     }
     painter.restore();
+}
+
+QWidget* planeView(WorkshopModel* model, std::size_t plane, QWidget* parent) {
+    return new PlaneView(model, plane, parent);
 }
 
 }  // namespace ravnoves

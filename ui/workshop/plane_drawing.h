@@ -9,8 +9,11 @@
 #include "workshop/input.h"
 
 class QPainter;
+class QWidget;
 
 namespace ravnoves {
+
+class WorkshopModel;
 
 /// The visible parts of a correction plane: the rim, reading and limit, holes there and planned.
 struct PlaneShown {
@@ -41,5 +44,8 @@ struct PlaneStyle {
 /// opposite, present ones dimmed, the residual is a dot.
 void drawPlane(QPainter& painter, const QRectF& target, const PlaneShown& shown,
                const PlaneStyle& style);
+
+/// The picture of a plane. Of a reference it shows reading and limit.
+QWidget* planeView(WorkshopModel* model, std::size_t plane, QWidget* parent);
 
 }  // namespace ravnoves

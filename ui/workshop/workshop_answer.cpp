@@ -17,9 +17,9 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/plane_view.h"
+#include "workshop/plane_drawing.h"
 #include "workshop/plugs/model/v8_text.h"
-#include "workshop/plugs/plug_view.h"
+#include "workshop/plugs/plug_drawing.h"
 
 namespace ravnoves {
 
@@ -37,8 +37,8 @@ WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
     column->addWidget(buildHead());
     pictures_ = new QWidget(this);
     QHBoxLayout* beside = rowIn(pictures_);
-    beside->addWidget(new PlaneView(model_, 0, pictures_));
-    beside->addWidget(new PlaneView(model_, 1, pictures_));
+    beside->addWidget(planeView(model_, 0, pictures_));
+    beside->addWidget(planeView(model_, 1, pictures_));
     column->addWidget(pictures_, 1);
     column->addWidget(buildCorrection());
     weight_ = new QWidget(this);
@@ -114,8 +114,7 @@ QWidget* WorkshopAnswer::buildLines() {
     say(column, "check", Theme::smallSize, &Theme::mutedText);
     column->addStretch();
     row->add(panel, 5);
-    plug_ = new PlugView(model_, row);
-    row->add(plug_, 3);
+    row->add(plugView(model_, row), 3);
     return row;
 }
 
@@ -139,10 +138,8 @@ QWidget* WorkshopAnswer::buildDetails() {
         plots->add(plot);
         return plot;
     };
-    const QList<QWidget*> ofPlugs{
-        add("compensation",
-            CompensationPlot::tr("Excess compensated over the lightening of one plug")),
-        add("shift", ShiftPlot::tr("Coefficient Δk over the shift Δr for five crank radii"))};
+    auto* ofPlugs = add("compensation",
+                        CompensationPlot::tr("Excess compensated over the lightening of one plug"));
     auto* force = add(
         "force", ForcePlot::tr("First-order force of the cylinders on a bob weight, over a turn"));
     plots->hide();
@@ -151,9 +148,7 @@ QWidget* WorkshopAnswer::buildDetails() {
     note->hide();
     column->addWidget(note);
     const auto show = [this, fold, plots, note, ofPlugs, force] {
-        for (QWidget* plot : ofPlugs) {
-            plot->setVisible(model_->hasPlugs());
-        }
+        ofPlugs->setVisible(model_->hasPlugs());
         force->setVisible(!model_->hasPlugs());
         fold->setArrowType(fold->isChecked() ? Qt::DownArrow : Qt::RightArrow);
         plots->setVisible(fold->isChecked());
@@ -242,7 +237,6 @@ void WorkshopAnswer::showAnswer() {
     plugs_->setVisible(plugs != nullptr && !isStopped);
     lines_->setVisible(known);
     weight_->setVisible(!isOfMachine_ && (known || model_->hasPlugs()));
-    plug_->setVisible(model_->hasPlugs());
     const bool isDrilled = drilled_->rowCount() > 0;
     pictures_->setVisible(shown.solution().correction.has_value() || isDrilled);
     drilledHeading_->setVisible(isDrilled);

@@ -50,7 +50,6 @@ class WorkshopAnswer : public QWidget {
     QLabel* drilledHeading_ = nullptr;
     QWidget* weight_ = nullptr;  ///< what the bob weight is made of
     QWidget* lines_ = nullptr;
-    QWidget* plug_ = nullptr;
     bool isOfMachine_ = false;
     QString verdict_;  ///< shown last
 };

@@ -563,17 +563,14 @@ class Card {
 
     /// Nothing of one that cannot be made: a drawing with sizes would be machined.
     QString plug() {
-        if (model_.plugs() == nullptr) {
-            return {};
-        }
-        const auto planned = plannedPlug(*model_.plugsInput(), *model_.plugs());
-        if (planned && planned->impossible) {
+        const auto planned = plannedPlug(model_);
+        if (!planned || planned->impossible) {
             return {};
         }
         const QSize size(225, 166);
         return paper_.figure({{}, {}, size, [planned, words = words_, size](QPainter& painter) {
                                   const QColor black(ink);
-                                  drawPlug(painter, QRectF(QPointF(), size), planned,
+                                  drawPlug(painter, QRectF(QPointF(), size), *planned,
                                            {black, QColor(0x99, 0x99, 0x99), black,
                                             QColor(0xB0, 0x30, 0x10), Theme::font(10), 1.3},
                                            words);

@@ -19,7 +19,6 @@
 #include "shown_number.h"
 #include "text/preferences.h"
 #include "workshop/journal_dialog.h"
-#include "workshop/plane_view.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
@@ -1298,7 +1297,7 @@ TEST_F(ReadJobTest, WhatIsDrilledStaysInSight) {
     EXPECT_EQ(shown(), planned);
     // The picture has them where nothing is to be drilled, too.
     const auto picture = [this] {
-        auto* view = page.findChild<PlaneView*>(u"plane_1"_s);
+        auto* view = find<QWidget>("plane_1");
         view->resize(300, 250);  // whatever room the verdict leaves
         return view->grab().toImage();
     };

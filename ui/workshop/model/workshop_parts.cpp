@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "bob-weights/solver.h"
 #include "shop/model/scale_settings.h"
@@ -135,65 +134,6 @@ Figure compensation(const WorkshopModel& model) {
     return figure;
 }
 
-/// What a shift Δr of the plug's centre of mass does to the coefficient, Δk = Δr / r, for the five
-/// crank radii of the paper's Fig. 2 and for this engine's.
-Figure shift(const WorkshopModel& model) {
-    using units::mm;
-    constexpr double widest = 1.4;  // right end of the x axis, mm
-    const auto line = [](double crankRadius) {
-        return std::vector{0.0, v8_plugs::shift_coefficient(widest * mm, crankRadius)};
-    };
-    const Words words;
-    Figure figure;
-    if (model.plugsInput() == nullptr) {
-        return figure;
-    }
-    figure.title = ShiftPlot::tr("Shift of the plug's centre of mass");
-    figure.x = {.title = ShiftPlot::tr("Δr, mm"), .min = 0.0, .max = widest};
-    figure.left = {.title = ShiftPlot::tr("Δk")};
-    figure.leftRange = std::pair(0.0, 0.04);  // with room for the word over the lines
-    figure.bands = {{v8_plugs::smallest_shift / mm, v8_plugs::largest_shift / mm, Role::Present,
-                     0.12, ShiftPlot::tr("neglected")}};
-    const std::optional<double>& own = model.plugsInput()->engine.crank_radius;
-    bool isListed = false;
-    for (std::size_t i = 0; i < v8_plugs::shift_curves.size(); ++i) {
-        const v8_plugs::ShiftCurve& printed = v8_plugs::shift_curves[i];
-        const QString radius = words.plainWithUnit(printed.crank_radius, mm, 1);
-        const QString engines = QString::fromUtf8(printed.engines.data(),
-                                                  static_cast<qsizetype>(printed.engines.size()));
-        figure.curves.push_back(
-            {.id = "radius-" + std::to_string(i),
-             .style = {.name = radius,
-                       .role = series(static_cast<int>(i)),
-                       .toolTip = ShiftPlot::tr("r = %1: %2").arg(radius, engines)},
-             .x = {0.0, widest},
-             .y = line(printed.crank_radius)});
-        isListed = isListed || (own && std::abs(printed.crank_radius - *own) < 1e-6);
-    }
-    std::vector<plot::Mark>& marks = figure.marks.emplace();
-    if (!own) {
-        return figure;
-    }
-    if (!isListed) {
-        figure.curves.push_back({.id = "own",
-                                 .style = {.name = ShiftPlot::tr("this engine"),
-                                           .role = Role::Present,
-                                           .width = 2.4,
-                                           .inLegend = false},
-                                 .x = {0.0, widest},
-                                 .y = line(*own)});
-    }
-    for (const double each : {v8_plugs::smallest_shift, v8_plugs::largest_shift}) {
-        const double k = v8_plugs::shift_coefficient(each, *own);
-        marks.push_back({.x = each / mm,
-                         .y = k,
-                         .text = words.number(k, 3),
-                         .role = Role::Present,
-                         .ring = true});
-    }
-    return figure;
-}
-
 Notes linesOf(const WorkshopModel& model, std::string_view part) {
     Notes notes;
     for (const AnswerLine& line : answerLines(model)) {
@@ -231,7 +171,6 @@ constexpr std::array makers{
     Maker{{.id = "lines", .isAnswer = true}, made<inWords<&WorkshopModel::lineResults>>},
     Maker{{.id = "force"}, made<force>},
     Maker{{.id = "compensation"}, made<compensation>},
-    Maker{{.id = "shift"}, made<shift>},
     Maker{{.id = "matching", .tab = "sheet-3"}, made<matching>},
     Maker{{.id = "effects", .tab = "sheet-3"}, made<inWords<&WorkshopModel::effectResults>>},
     Maker{{.id = "assignment", .tab = "sheet-3"}, made<inWords<&WorkshopModel::assignmentResults>>},

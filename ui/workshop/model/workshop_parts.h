@@ -19,9 +19,6 @@ struct ForcePlot {
 struct CompensationPlot {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::CompensationPlot)
 };
-struct ShiftPlot {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShiftPlot)
-};
 
 /// What the page shows in plots and tables.
 std::span<const PagePart> workshopParts();

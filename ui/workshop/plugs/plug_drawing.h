@@ -8,8 +8,11 @@
 #include "v8-plugs/solver.h"
 
 class QPainter;
+class QWidget;
 
 namespace ravnoves {
+
+class WorkshopModel;
 
 /// Colours and type of a drawing: the theme's on the screen, black on paper.
 struct DrawingStyle {
@@ -31,12 +34,13 @@ struct PlugDrawing {
 
 /// The plug on the sheet, with the bore of the option that the answer is about; nothing while its
 /// sizes are not known or do not go together.
-std::optional<PlugDrawing> plannedPlug(const v8_plugs::Input& input,
-                                       const v8_plugs::Result& solution);
+std::optional<PlugDrawing> plannedPlug(const WorkshopModel& model);
 
-/// Draws the plug in section with its dimensions, as large as the rectangle allows. Heights,
-/// depths and diameters are to scale. Without known dimensions: letters in place of numbers.
-void drawPlug(QPainter& painter, const QRectF& target, const std::optional<PlugDrawing>& known,
+/// Draws the plug in section with its dimensions, as large as the rectangle allows, to scale.
+void drawPlug(QPainter& painter, const QRectF& target, const PlugDrawing& drawing,
               const DrawingStyle& style, const Words& words);
+
+/// The picture of the planned plug; hidden without one.
+QWidget* plugView(WorkshopModel* model, QWidget* parent);
 
 }  // namespace ravnoves
