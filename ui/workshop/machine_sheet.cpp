@@ -145,11 +145,7 @@ void MachineSheet::buildPlanes() {
             ordered(field);
         }
     }
-    QList<QList<QWidget*>> rows;
-    for (qsizetype at = 0; at < fields[0].size(); ++at) {
-        rows << QList<QWidget*>{fields[0][at], fields[1][at]};
-    }
-    addGrid(rows);
+    followArrows(grid);
 }
 
 void MachineSheet::buildRuns() {
@@ -160,7 +156,6 @@ void MachineSheet::buildRuns() {
     const QString degrees = QStringLiteral("°");
     const auto [grid, trouble] = this->grid({QString(), unit, degrees, unit, degrees});
     followNames(grid, {unit, degrees});
-    QList<QList<QWidget*>> rows;
     for (std::size_t run = 0; run < max_runs; ++run) {
         const int at = grid->rowCount();
         auto* label = new QLabel(WorkshopModel::runName(words, run));
@@ -233,7 +228,6 @@ void MachineSheet::buildRuns() {
                 row << made;
             }
         }
-        rows << row.mid(1);
         // One empty line waits for the next run; those of two runs keep their place.
         follow([this, row, run] {
             constexpr std::size_t always = 2;
@@ -246,7 +240,7 @@ void MachineSheet::buildRuns() {
             }
         });
     }
-    addGrid(rows);
+    followArrows(grid);
 }
 
 void MachineSheet::buildTolerance() {

@@ -41,22 +41,17 @@ class WeighInSheet : public WorkshopSheet {
   private:
     void addSource();
     void addWeights();
-    QLabel* put(int row, int column, const QString& text, int size, bool bold = false);
-    void addColumn(int column);
+    QLabel* put(int row, int column, int size);
     NumberField* addCell(int row, int column);
     void addMoves();
-    /// @return true where the clipboard has several numbers
-    bool pasteBlock(int row, int column);
     void addGoal();
     void addFindings();
     void addTable(std::string_view part, const QString& name);
     shop::MatchingRules rules() const;
 
-    TroubleLine* trouble_;
-    int rows_;  ///< that have cells
     QGridLayout* grid_ = nullptr;
-    std::vector<NumberField*> cells_;  ///< column by column
-    QComboBox* goal_ = nullptr;        ///< what the parts are placed for
+    TroubleLine* trouble_ = nullptr;
+    QComboBox* goal_ = nullptr;  ///< what the parts are placed for
 };
 
 /// Sheet 4: the plugs of a V-8.

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 #include "bob-weights/fields.h"
 #include "model/editable_table.h"
@@ -30,10 +32,7 @@ constexpr int maxRows = 16;      // further cylinders come by pasting a column
 
 }  // namespace
 
-WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent)
-    : WorkshopSheet(model, parent),
-      trouble_(new TroubleLine(this)),
-      rows_(WorkshopModel::firstCylinder + maxRows) {
+WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
     column()->setSpacing(Theme::space);
     addSource();
     addWeights();
@@ -83,79 +82,70 @@ void WeighInSheet::addSource() {
 
 /// The grid of weights, with what is below its columns.
 void WeighInSheet::addWeights() {
-    grid_ = new QGridLayout;
-    column()->addLayout(grid_);
+    QStringList headings{QString()};
+    for (const shop::Part part : shop::all_parts) {
+        headings << fieldName(
+            std::ranges::find(bob_weights::part_fields(), part, &bob_weights::PartField::column)
+                ->field);
+    }
+    std::tie(grid_, trouble_) = grid(headings);
+    trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));
     grid_->setHorizontalSpacing(Theme::gap / 2);  // "1568.52" is seen whole
     grid_->setVerticalSpacing(2);
     grid_->setColumnMinimumWidth(0, Theme::withText(50));
-    for (int row = 0; row < rows_; ++row) {
-        const int cylinder = row - WorkshopModel::firstCylinder + 1;
-        QLabel* title =
-            cylinder > 0
-                ? put(row + 1, 0, QString::number(cylinder), Theme::titleSize)
-                : put(row + 1, 0,
-                      shownTitle(row == 0 ? tr("nominal, g") : tr("permitted range, g")).text,
-                      Theme::smallSize);
-        follow([this, title, row] { title->setVisible(row < model_->weightRows()); });
+    QStringList titles{tr("nominal, g"), tr("permitted range, g")};
+    for (int cylinder = 1; cylinder <= maxRows; ++cylinder) {
+        titles << QString::number(cylinder);
     }
-    int row = rows_ + 1;
-    for (const QString& title : {tr("mean, g"), tr("vs. nominal, g"), tr("range, g")}) {
-        put(row++, 0, shownTitle(title).text, Theme::smallSize);
+    const auto rows = static_cast<int>(titles.size());
+    titles << tr("mean, g") << tr("vs. nominal, g") << tr("range, g");
+    constexpr auto columns = static_cast<int>(shop::all_parts.size());
+    for (int row = 0; row < titles.size(); ++row) {
+        const bool isCylinder = row >= WorkshopModel::firstCylinder && row < rows;
+        QLabel* title = put(row + 1, 0, isCylinder ? Theme::titleSize : Theme::smallSize);
+        // A unit stays with the word before it.
+        title->setText(
+            shownTitle(titles[row]).text.replace(QStringLiteral(", "), QStringLiteral(",\u00A0")));
+        title->setWordWrap(true);
+        title->setMaximumWidth(Theme::withText(titleColumn));  // the numbers need the room
+        follow([this, title, row, rows] {
+            title->setVisible(row >= rows || row < model_->weightRows());
+        });
+        for (int column = 0; row < rows && column < columns; ++column) {
+            grid_->addWidget(addCell(row, column), row + 1, column + 1);
+        }
     }
-    trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));
-    for (int column = 0; column < std::ssize(shop::all_parts); ++column) {
-        addColumn(column);
+    for (int column = 0; column < columns; ++column) {
+        for (int row = 0; row < rows; ++row) {
+            ordered(grid_->itemAtPosition(row + 1, column + 1)->widget());
+        }
+        std::array<QLabel*, 3> notes{};
+        for (int i = 0; i < 3; ++i) {
+            notes.at(i) = put(rows + i + 1, column + 1, Theme::baseSize);
+        }
+        follow([this, notes, column] {
+            const WeighedColumn weighed = model_->columnNote(shop::all_parts.at(column));
+            for (std::size_t i = 0; i < notes.size(); ++i) {
+                const bool isTooWide = i == 2 && weighed.tooWide;
+                notes[i]->setText(isTooWide ? weighed.texts[i] + QStringLiteral(" !")
+                                            : weighed.texts[i]);
+                notes[i]->setToolTip(weighed.toolTip);
+                colourText(notes[i], isTooWide                  ? &Theme::error
+                                     : weighed.counts || i == 2 ? &Theme::text
+                                                                : &Theme::mutedText);
+            }
+        });
     }
-    QList<QList<QWidget*>> rows(rows_);
-    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-        rows[static_cast<int>(cell) % rows_] << cells_[cell];
-    }
-    addGrid(rows);
-    column()->addWidget(trouble_);
+    followArrows(grid_);
 }
 
-/// A label of the grid; those above and to the left of the cells wrap.
-QLabel* WeighInSheet::put(int row, int column, const QString& text, int size, bool bold) {
-    // A unit stays with the word before it.
-    const QString whole = QString(text).replace(QStringLiteral(", "), QStringLiteral(",\u00A0"));
-    auto* label = new QLabel(column == 0 ? whole : text, this);
-    label->setFont(Theme::font(size, bold));
-    label->setWordWrap(column == 0 || row == 0);
-    if (column == 0) {
-        label->setMaximumWidth(Theme::withText(titleColumn));  // the numbers need the room
-    }
-    label->setAlignment(row == 0 ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter);
+/// A label of the grid beside or below the cells.
+QLabel* WeighInSheet::put(int row, int column, int size) {
+    auto* label = new QLabel(this);
+    label->setFont(Theme::font(size));
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     grid_->addWidget(label, row, column);
     return label;
-}
-
-void WeighInSheet::addColumn(int column) {
-    const int place = column + 1;
-    const shop::Part part = shop::all_parts[static_cast<std::size_t>(column)];
-    const auto whose =
-        std::ranges::find(bob_weights::part_fields(), part, &bob_weights::PartField::column);
-    put(0, place, fieldName(whose->field), Theme::smallSize, true);
-    grid_->setColumnStretch(place, 1);
-    for (int row = 0; row < rows_; ++row) {
-        grid_->addWidget(addCell(row, column), row + 1, place);
-    }
-    int row = rows_ + 1;
-    QLabel* mean = put(row++, place, {}, Theme::baseSize);
-    QLabel* deviation = put(row++, place, {}, Theme::baseSize);
-    QLabel* spread = put(row++, place, {}, Theme::baseSize);
-    const auto show = [=, this] {
-        const WeighedColumn weighed = model_->columnNote(part);
-        const auto say = [&](QLabel* label, const QString& text, Ink ink) {
-            label->setText(text);
-            label->setToolTip(weighed.toolTip);
-            colourText(label, ink);
-        };
-        say(mean, weighed.mean, weighed.counts ? &Theme::text : &Theme::mutedText);
-        say(deviation, weighed.deviation, weighed.counts ? &Theme::text : &Theme::mutedText);
-        say(spread, weighed.tooWide ? weighed.spread + QStringLiteral(" !") : weighed.spread,
-            weighed.tooWide ? &Theme::error : &Theme::text);
-    };
-    follow(show);
 }
 
 NumberField* WeighInSheet::addCell(int row, int column) {
@@ -175,15 +165,15 @@ NumberField* WeighInSheet::addCell(int row, int column) {
                   words.translate("ravnoves::WeighInSheet", "%1 of cylinder %2"));
     };
     NumberField* field =
-        ordered(cell(description,
-                     of(key, QStringLiteral("nominal_%1"), QStringLiteral("spread_%1"),
-                        QStringLiteral("mass_%1_%2")),
-                     name, [row, &word] {
-                         const std::string part = "/weigh_in/" + std::string(word.word) + '/' +
-                                                  std::string(WorkshopModel::weightField(row).key);
-                         const int cylinder = row - WorkshopModel::firstCylinder;
-                         return cylinder < 0 ? part : part + '/' + std::to_string(cylinder);
-                     }));
+        cell(description,
+             of(key, QStringLiteral("nominal_%1"), QStringLiteral("spread_%1"),
+                QStringLiteral("mass_%1_%2")),
+             name, [row, &word] {
+                 const std::string part = "/weigh_in/" + std::string(word.word) + '/' +
+                                          std::string(WorkshopModel::weightField(row).key);
+                 const int cylinder = row - WorkshopModel::firstCylinder;
+                 return cylinder < 0 ? part : part + '/' + std::to_string(cylinder);
+             });
     field->setHint(of(shownText(word.label), tr("%1: mass by the drawing."),
                       tr("%1: permitted heaviest minus lightest, by the works manual. Blank means "
                          "no limit."),
@@ -202,32 +192,21 @@ NumberField* WeighInSheet::addCell(int row, int column) {
             model_->setWeight(name({}), row, column, mass);
         });
     trouble_->watch(field);
-    cells_.push_back(field);
     follow([this, field, row] { field->setVisible(row < model_->weightRows()); });
     return field;
 }
 
 bool WeighInSheet::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
-        const auto found = std::find(cells_.begin(), cells_.end(), watched);
-        if (found != cells_.end()) {
-            const auto place = static_cast<int>(found - cells_.begin());
-            if (pasteBlock(place % rows_, place / rows_)) {
-                return true;
-            }
-        }
+    const bool isPaste = event->type() == QEvent::KeyPress &&
+                         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste);
+    const auto cell = isPaste ? placeIn(*grid_, static_cast<QWidget*>(watched)) : std::nullopt;
+    const QString text = cell ? QGuiApplication::clipboard()->text() : QString();
+    if (text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'))) {
+        trouble_->say(model_->pasteWeights(cell->first - 1, cell->second - 1,
+                                           readTextTable(text, EmptyLine::gap)));
+        return true;
     }
     return WorkshopSheet::eventFilter(watched, event);
-}
-
-bool WeighInSheet::pasteBlock(int row, int column) {
-    const QString text = QGuiApplication::clipboard()->text();
-    const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
-    if (isBlock) {
-        trouble_->say(model_->pasteWeights(row, column, readTextTable(text, EmptyLine::gap)));
-    }
-    return isBlock;
 }
 
 /// Which parts may change places.

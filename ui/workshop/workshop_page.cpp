@@ -203,7 +203,6 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
     sheets_->addTab(scroll, title);
     forms_ << form;
     scroll->setObjectName(QStringLiteral("sheet-%1").arg(forms_.size()));
-    const QList<QWidget*> order = form->tabOrder();
     const int tab = sheets_->count() - 1;
     const auto follow = [this, tab](QWidget* field) {
         field->installEventFilter(this);
@@ -218,9 +217,6 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
     connect(form, &WorkshopSheet::fieldAdded, this, follow);
     connect(model(), &SceneModel::changed, this, [this, tab] { markTab(tab); });
     connect(&Theme::instance(), &Theme::changed, this, [this, tab] { markTab(tab); });
-    for (qsizetype i = 1; i < order.size(); ++i) {
-        QWidget::setTabOrder(order.at(i - 1), order.at(i));
-    }
     markTab(tab);  // a page made again shows a job that is there
 }
 

@@ -51,32 +51,28 @@ class CheckedField final : public ValueEntry<QString> {
 WorkshopSheet::WorkshopSheet(WorkshopModel* model, QWidget* parent)
     : Form(model, parent), model_(model) {}
 
-QList<QWidget*> WorkshopSheet::tabOrder() const {
-    QList<QWidget*> order = tabs_;
-    for (const auto& rows : grids_) {
-        qsizetype at = order.indexOf(rows.constFirst().constFirst());
-        for (const auto& row : rows) {
-            for (QWidget* field : row) {
-                order[at++] = field;
-            }
-        }
-    }
-    return order;
+std::optional<std::pair<int, int>> WorkshopSheet::placeIn(const QGridLayout& grid,
+                                                          QWidget* widget) {
+    int row = 0;
+    int column = 0;
+    int rows = 0;
+    int columns = 0;
+    const int at = grid.indexOf(widget);
+    grid.getItemPosition(at, &row, &column, &rows, &columns);
+    return at < 0 ? std::nullopt : std::optional(std::pair(row, column));
 }
 
-void WorkshopSheet::addGrid(const QList<QList<QWidget*>>& rows) {
-    grids_ << rows;
-    for (const auto& row : rows) {
-        for (QWidget* field : row) {
-            field->installEventFilter(this);
-        }
+void WorkshopSheet::followArrows(QGridLayout* grid) {
+    grids_ << grid;
+    for (int i = 0; i < grid->count(); ++i) {
+        grid->itemAt(i)->widget()->installEventFilter(this);
     }
 }
 
 bool WorkshopSheet::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
-        for (const auto& rows : grids_) {
-            if (goInGrid(rows, static_cast<QWidget*>(watched), *static_cast<QKeyEvent*>(event))) {
+        for (const QGridLayout* grid : grids_) {
+            if (goInGrid(*grid, static_cast<QWidget*>(watched), *static_cast<QKeyEvent*>(event))) {
                 return true;
             }
         }
@@ -84,16 +80,11 @@ bool WorkshopSheet::eventFilter(QObject* watched, QEvent* event) {
     return Form::eventFilter(watched, event);
 }
 
-bool WorkshopSheet::goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from,
-                             const QKeyEvent& key) {
+bool WorkshopSheet::goInGrid(const QGridLayout& grid, QWidget* from, const QKeyEvent& key) {
     const int down = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
     const int right = key.key() == Qt::Key_Right ? 1 : key.key() == Qt::Key_Left ? -1 : 0;
-    if ((down == 0 && right == 0) || (key.modifiers() & ~Qt::KeypadModifier) != 0) {
-        return false;
-    }
-    const auto at = std::find_if(rows.begin(), rows.end(),
-                                 [&](const QList<QWidget*>& row) { return row.contains(from); });
-    if (at == rows.end()) {
+    const auto at = placeIn(grid, from);
+    if (!at || (down == 0 && right == 0) || (key.modifiers() & ~Qt::KeypadModifier) != 0) {
         return false;
     }
     if (const auto* entry = qobject_cast<const EntryField*>(from); right != 0 && entry != nullptr) {
@@ -104,16 +95,21 @@ bool WorkshopSheet::goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from,
             return false;
         }
     }
-    qsizetype row = at - rows.begin();
-    qsizetype column = at->indexOf(from);
+    auto [row, column] = *at;
+    QWidget* next = nullptr;
     do {
         row += down;
         column += right;
-        if (row < 0 || row >= rows.size() || column < 0 || column >= rows[row].size()) {
-            return down != 0;  // at the edge the sheet does not scroll away
+        const QLayoutItem* item = grid.itemAtPosition(row, column);
+        next = item != nullptr ? item->widget() : nullptr;
+        if (qobject_cast<QLabel*>(next) != nullptr) {
+            next = nullptr;
         }
-    } while (!rows[row][column]->isEnabled() || !rows[row][column]->isVisible());
-    rows[row][column]->setFocus(Qt::TabFocusReason);
+    } while (next != nullptr && (!next->isEnabled() || !next->isVisible()));
+    if (next == nullptr) {
+        return down != 0;  // at the edge the sheet does not scroll away
+    }
+    next->setFocus(Qt::TabFocusReason);
     return true;
 }
 
@@ -258,7 +254,6 @@ QPushButton* WorkshopSheet::button(const char* name, const QString& label, const
     QPushButton* made = largeButton(name, label, current());
     made->setToolTip(tip);
     current()->addWide(made);
-    tabs_ << made;
     connect(made, &QPushButton::clicked, this, std::move(press));
     return made;
 }

@@ -24,10 +24,8 @@ class WorkshopSheet : public Form {
 
     explicit WorkshopSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// Every field in the order of Enter.
+    /// Every field in the order of Enter. Tab follows their making: along the rows of a grid.
     const QList<QWidget*>& order() const { return order_; }
-    /// The same with the buttons in the order of Tab: along the rows of a grid.
-    QList<QWidget*> tabOrder() const;
     /// The name of a field in another language than the window's.
     QString nameIn(const Words& words, const EntryField& field) const;
 
@@ -84,13 +82,13 @@ class WorkshopSheet : public Form {
     template <typename Widget>
     Widget* ordered(Widget* field) {
         order_ << field;
-        tabs_ << field;
         Q_EMIT fieldAdded(field);
         return field;
     }
-    /// Successive fields of the order in rows and columns, as in a spreadsheet: Tab moves along the
-    /// rows, the arrows to the neighbours.
-    void addGrid(const QList<QList<QWidget*>>& rows);
+    /// Row and column of a widget.
+    static std::optional<std::pair<int, int>> placeIn(const QGridLayout& grid, QWidget* widget);
+    /// The arrows go to the neighbours of the grid's cells, as in a spreadsheet.
+    void followArrows(QGridLayout* grid);
     bool eventFilter(QObject* watched, QEvent* event) override;
     void enlarge(QWidget* field);
     /// As wide as a text: its words are read whole.
@@ -120,12 +118,11 @@ class WorkshopSheet : public Form {
   private:
     NumberField* large(NumberField* field);
     /// @return true for an arrow that leaves the field of a grid
-    static bool goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key);
+    static bool goInGrid(const QGridLayout& grid, QWidget* from, const QKeyEvent& key);
 
     std::map<const EntryField*, std::pair<Name, Place>> named_;
     QList<QWidget*> order_;
-    QList<QWidget*> tabs_;  ///< the same with the buttons
-    QList<QList<QList<QWidget*>>> grids_;
+    QList<QGridLayout*> grids_;
 };
 
 /// A button as high as the fields of a sheet.

@@ -140,7 +140,7 @@ TEST_F(PlugsModelTest, ColumnsHalfWeighedAreNamed) {
     EXPECT_EQ(model.troubles(),
               QStringList{u"Weighed masses are not used: the typed changes are selected."_s});
     EXPECT_EQ(model.troubles(), model.notCounted());
-    EXPECT_EQ(model.columnNote(Part::pin).deviation, u"+1.00"_s);
+    EXPECT_EQ(model.columnNote(Part::pin).texts[1], u"+1.00"_s);
     EXPECT_FALSE(model.columnNote(Part::pin).counts);
     model.editPlugs(u"source"_s, [](auto& input) { input.changes_from_weigh_in = true; });
     ASSERT_EQ(model.notCounted().size(), 2);

@@ -569,13 +569,13 @@ WeighedColumn WorkshopModel::columnNote(shop::Part part) const {
     const Words words;
     const shop::PartColumn& weighed = (*sheet)[part];
     const auto grams = [&](double mass) { return words.digits(mass, units::gram, 2); };
-    column.mean = grams(statistics->mean);
+    column.texts[0] = grams(statistics->mean);
     if (weighed.nominal) {
         const double deviation = statistics->mean - *weighed.nominal;
-        column.deviation =
+        column.texts[1] =
             (deviation >= 0.005 * units::gram ? QStringLiteral("+") : QString()) + grams(deviation);
     }
-    column.spread = grams(statistics->spread);
+    column.texts[2] = grams(statistics->spread);
     column.tooWide = !statistics->within_permitted;
     column.counts = hasPlugs() ? input().plugs->changes_from_weigh_in && weighed.is_complete()
                                : weighed.is_weighed();

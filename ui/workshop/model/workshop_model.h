@@ -2,6 +2,7 @@
 
 #include <QList>
 #include <QStringList>
+#include <array>
 #include <optional>
 
 #include "model/case_model.h"
@@ -18,9 +19,8 @@ class InputError;
 
 /// The lines below a column of the weigh-in sheet; dashes where nothing is weighed.
 struct WeighedColumn {
-    QString mean = QStringLiteral("–");
-    QString deviation = QStringLiteral("–");  ///< of the mean from nominal, with its sign
-    QString spread = QStringLiteral("–");
+    /// The mean, its deviation from nominal with its sign, the range.
+    std::array<QString, 3> texts{QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–")};
     bool tooWide = false;
     bool counts = true;  ///< or nothing is weighed
     QString toolTip;
