@@ -23,30 +23,18 @@ using namespace bob_weights;
 
 namespace {
 
-/// Where a hole is in the case.
-struct HolePlace {
-    std::size_t run;
-    std::size_t hole;
-};
-
-std::vector<HolePlace> holePlaces(const workshop::Input& input) {
-    std::vector<HolePlace> places;
-    if (input.correction) {
-        const auto& runs = input.correction->earlier_runs;
-        for (std::size_t run = 0; run < runs.size(); ++run) {
-            for (std::size_t i = 0; runs[run].drilled && i < runs[run].drilled->size(); ++i) {
-                places.push_back({run, i});
+/// The holes of the record, each with its run.
+auto drilledHoles(auto& correction) {
+    std::vector<std::pair<std::size_t, decltype(&correction->earlier_runs[0].drilled->front())>>
+        holes;
+    for (std::size_t run = 0; correction && run < correction->earlier_runs.size(); ++run) {
+        if (auto& drilled = correction->earlier_runs[run].drilled) {
+            for (auto& hole : *drilled) {
+                holes.emplace_back(run, &hole);
             }
         }
     }
-    return places;
-}
-
-const DrilledHole* holeAt(const workshop::Input& input, std::size_t row) {
-    const auto places = holePlaces(input);
-    return row < places.size()
-               ? &(*input.correction->earlier_runs[places[row].run].drilled)[places[row].hole]
-               : nullptr;
+    return holes;
 }
 
 }  // namespace
@@ -215,7 +203,7 @@ void CorrectionSheet::buildDrilled() {
     holes_ = made.first;
     trouble_ = made.second;
     line(Theme::smallSize, [this] {
-        return holePlaces(model_->input()).empty()
+        return drilledHoles(model_->input().correction).empty()
                    ? tr("None yet. The plan appears here after the next run.")
                    : QString();
     });
@@ -224,7 +212,7 @@ void CorrectionSheet::buildDrilled() {
 }
 
 void CorrectionSheet::growRows() {
-    while (rows_.size() < static_cast<qsizetype>(holePlaces(model_->input()).size())) {
+    while (rows_.size() < std::ssize(drilledHoles(model_->input().correction))) {
         addHoleRow();
     }
 }
@@ -236,12 +224,16 @@ void CorrectionSheet::addHoleRow() {
     name->setFont(Theme::font(Theme::smallSize));
     name->setWordWrap(true);
     name->setMaximumWidth(Theme::withText(90));
-    const auto change = [this, row](const QString& step,
-                                    const std::function<void(DrilledHole&)>& mutate) {
-        const auto places = holePlaces(model_->input());
-        if (row < places.size()) {
+    const auto present = [this, row]() -> const DrilledHole* {
+        const auto holes = drilledHoles(model_->input().correction);
+        return row < holes.size() ? holes[row].second : nullptr;
+    };
+    const auto change = [this, row, present](const QString& step,
+                                             const std::function<void(DrilledHole&)>& mutate) {
+        if (present() != nullptr) {
             model_->editCorrection(step, [&](Correction& correction) {
-                mutate((*correction.earlier_runs[places[row].run].drilled)[places[row].hole]);
+                auto* of = &correction;
+                mutate(*drilledHoles(of)[row].second);
             });
         }
     };
@@ -269,8 +261,8 @@ void CorrectionSheet::addHoleRow() {
         made->setMinimumWidth(Theme::withText(width));  // its words are read whole
         bind(
             made,
-            [this, row, member] {
-                const DrilledHole* hole = holeAt(model_->input(), row);
+            [present, member] {
+                const DrilledHole* hole = present();
                 return hole != nullptr ? static_cast<int>(hole->*member) : -1;
             },
             [set, member, step = fieldName(field)](int place) {
@@ -303,8 +295,8 @@ void CorrectionSheet::addHoleRow() {
         };
         bind(
             made, field,
-            [this, row, member, turned]() -> std::optional<double> {
-                const DrilledHole* hole = holeAt(model_->input(), row);
+            [present, member, turned]() -> std::optional<double> {
+                const DrilledHole* hole = present();
                 return hole != nullptr ? std::optional(turned(*hole, hole->*member)) : std::nullopt;
             },
             [measure, member, turned, step = fieldName(field)](std::optional<double> value) {
@@ -333,8 +325,8 @@ void CorrectionSheet::addHoleRow() {
         holes_->addWidget(widgets[column], at, column);
     }
     followPlanes(plane);
-    follow([this, row, name, state, widgets, hint = state->toolTip()] {
-        const DrilledHole* hole = holeAt(model_->input(), row);
+    follow([this, row, present, name, state, widgets, hint = state->toolTip()] {
+        const DrilledHole* hole = present();
         for (QWidget* each : widgets) {
             each->setVisible(hole != nullptr);
         }
@@ -351,18 +343,18 @@ void CorrectionSheet::addHoleRow() {
                 isPlanned ? QString()
                           : tr("The planned values were replaced; Undo restores them."));
             state->setToolTip(isPlanned ? hint : hint + QLatin1Char('\n') + asPlanned->toolTip());
-            name->setText(model_->drilledName(holePlaces(model_->input())[row].run, *hole));
+            name->setText(
+                model_->drilledName(drilledHoles(model_->input().correction)[row].first, *hole));
         }
     });
     rows_ << widgets;
 }
 
 QWidget* CorrectionSheet::lastDrilled() const {
-    const auto places = holePlaces(model_->input());
-    const auto first = std::find_if(places.begin(), places.end(), [&](const HolePlace& place) {
-        return place.run == places.back().run;
-    });
-    return first == places.end() ? nullptr : rows_.at(first - places.begin()).last();
+    const auto holes = drilledHoles(model_->input().correction);
+    const auto first = std::ranges::find_if(
+        holes, [&](const auto& each) { return each.first == holes.back().first; });
+    return first == holes.end() ? nullptr : rows_.at(first - holes.begin()).last();
 }
 
 void CorrectionSheet::addHole(bool isBefore) {
