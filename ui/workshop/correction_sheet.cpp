@@ -85,19 +85,14 @@ CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
 
 void CorrectionSheet::buildWhatIf() {
     section(tr("Try a hole"));
-    auto* plane = new QComboBox(current());
-    plane->setObjectName(QStringLiteral("what_if_plane"));
-    plane->addItems({QString(), QString()});
-    enlarge(plane);
-    current()->addWidget(shownText(field::drilled_plane.label), ordered(plane), {},
-                         fieldHint(field::drilled_plane));
-    bind(
-        plane, [this] { return whatIf_.plane; },
+    followPlanes(choice(
+        QStringLiteral("what_if_plane"), shownText(field::drilled_plane.label),
+        QStringList(2, QString()), fieldHint(field::drilled_plane),
+        [this] { return whatIf_.plane; },
         [this](int chosen) {
             whatIf_.plane = chosen;
             showWhatIf();
-        });
-    followPlanes(plane);
+        }));
     const auto add = [this](const Field& field, std::optional<double> WhatIf::*member,
                             const char* name) {
         NumberField* made = number(

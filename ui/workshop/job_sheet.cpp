@@ -1,4 +1,3 @@
-#include <QCheckBox>
 #include <QLabel>
 
 #include "shop/job_header.h"
@@ -27,9 +26,7 @@ JobSheet::JobSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model,
              [](const QString& day) { return Words().day(day); }, false});
     text("/job/technician");
     section(tr("Engine"));
-    QComboBox* type = ordered(
-        Form::choice("/engine/type", [this](int chosen) { return model_->chooseType(chosen); }));
-    enlarge(type);
+    choice("/engine/type", [this](int chosen) { return model_->chooseType(chosen); });
     number("/engine/cylinders");
     NumberField* bank = number("/engine/bank_angle_deg");
     QComboBox* rods = choice("/engine/rods_per_pin");
@@ -57,22 +54,16 @@ JobSheet::JobSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model,
                    : QString();
     });
     section(tr("Sludge-trap plugs"));
-    QCheckBox* there = ordered(box(
+    QCheckBox* there = box(
         QStringLiteral("has_plugs"), tr("The crankpins have sludge-trap &plugs"),
         tr("Crankpin plugs of a V-8 at 90° are bored or replaced to balance heavier or lighter "
            "parts."),
-        [this] { return model_->hasPlugs(); }, [this](bool on) { model_->setHasPlugs(on); }));
-    there->setMinimumHeight(Theme::withText(fieldHeight - 6));
-    follow([this, there] { there->setEnabled(model_->hasPlugs() || model_->mayHavePlugs()); });
+        [this] { return model_->hasPlugs(); }, [this](bool on) { model_->setHasPlugs(on); });
+    enableWhile(there, [this] { return model_->hasPlugs() || model_->mayHavePlugs(); });
     plugsSection(true, {});
-    QComboBox* engine = ordered(new QComboBox(current()));
-    engine->setObjectName(QStringLiteral("engine"));
-    engine->addItems(model_->engineNames());
-    enlarge(engine);
-    current()->addWidget(shownText(v8_plugs::field::engine.label), engine, {},
-                         fieldHint(v8_plugs::field::engine));
-    bind(
-        engine, [this] { return model_->engineIndex(); },
+    QComboBox* engine = choice(
+        QStringLiteral("engine"), shownText(v8_plugs::field::engine.label), model_->engineNames(),
+        fieldHint(v8_plugs::field::engine), [this] { return model_->engineIndex(); },
         [this](int place) { model_->chooseEngine(place); });
     follow([this, engine] {
         const QString name = model_->ownEngineName();
@@ -80,9 +71,8 @@ JobSheet::JobSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model,
                                                   : name);
     });
     choice("/plugs/process");
-    QComboBox* crankshaft = choice("/plugs/crankshaft");
-    follow([this, crankshaft] {
-        crankshaft->setEnabled(model_->hasPlugs() && model_->input().plugs->engine.has_new_plug);
+    enableWhile(choice("/plugs/crankshaft"), [this] {
+        return model_->hasPlugs() && model_->input().plugs->engine.has_new_plug;
     });
     section(tr("Notes on the job card"));
     text("/job/notes", longestNotes);

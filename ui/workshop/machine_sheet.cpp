@@ -86,7 +86,7 @@ void MachineSheet::addHold() {
                            hold_->setFocus(Qt::OtherFocusReason);  // others do not hold
                        }
                    });
-    follow([this] { hold_->setVisible(isDoubtful()); });
+    showWhile(hold_, [this] { return isDoubtful(); });
 }
 
 void MachineSheet::buildPlanes() {
@@ -245,14 +245,13 @@ void MachineSheet::buildRuns() {
 
 void MachineSheet::buildTolerance() {
     section(tr("Permissible residual"));
-    auto* own = box(
+    box(
         QStringLiteral("own_limit"), tr("&Own limit for each plane, instead of a grade"),
         tr("On: permissible residual in each plane. Off: by grade, mass and speed."),
         [this] { return model_->input().tolerance && !model_->input().tolerance->by_grade; },
         [this](bool on) {
             model_->editTolerance(tr("Kind of limit"), [on](Tolerance& it) { it.by_grade = !on; });
         });
-    ordered(own);
     number("/tolerance/g_mm")->setLever([this]() -> std::optional<double> {
         const auto& correction = model_->input().correction;
         const bool isOne = correction && correction->planes.size() == 2 &&
@@ -328,7 +327,7 @@ void MachineSheet::buildMachine() {
     QPushButton* keep =
         button("keep_machine", tr("Save as shop default (&machine)"),
                tr("New jobs begin with this set-up."), [this] { model_->keepMachine(); });
-    follow([this, keep] { keep->setVisible(!model_->isShopsMachine()); });
+    showWhile(keep, [this] { return !model_->isShopsMachine(); });
 }
 
 }  // namespace ravnoves

@@ -47,10 +47,10 @@ PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
                     plugs.changes_given = true;
                 });
             });
-        follow([this, made, each] {
+        enableWhile(made, [this, each] {
             const v8_plugs::Input* plugs = model_->plugsInput();
-            made->setEnabled(plugs != nullptr && plugs->takes_typed(each.member) &&
-                             (!each.repair_only || plugs->process == v8_plugs::Process::repair));
+            return plugs != nullptr && plugs->takes_typed(each.member) &&
+                   (!each.repair_only || plugs->process == v8_plugs::Process::repair);
         });
     }
     plugsSection(true, tr("Nominal masses, for the bob weight"));
@@ -60,7 +60,7 @@ PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
         tr("Reciprocating: piston, pin, rings, small end; rotating: big end and shells, by the "
            "nominal masses of the weigh-in sheet."),
         [this] { model_->fillNominalMasses(); });
-    follow([this, fill] { fill->setEnabled(model_->canFillNominalMasses()); });
+    enableWhile(fill, [this] { return model_->canFillNominalMasses(); });
     plugsSection(true, tr("Limit of the plugs"));
     number("/plugs/tolerance_g_mm");
     // Below the field: it must not move while one types.
@@ -72,7 +72,7 @@ PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     QSizePolicy place = keep->sizePolicy();
     place.setRetainSizeWhenHidden(true);
     keep->setSizePolicy(place);
-    follow([this, keep] { keep->setVisible(model_->hasPlugs() && !model_->isShopsTolerance()); });
+    showWhile(keep, [this] { return model_->hasPlugs() && !model_->isShopsTolerance(); });
     section({});
     line(Theme::smallSize, [this] {
         return model_->replacedInputs().empty()

@@ -1,4 +1,3 @@
-#include <QCheckBox>
 #include <QLabel>
 
 #include "case-file/input_error.h"
@@ -67,10 +66,7 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     QLabel* note = captionLabel({}, this);
     note->setObjectName(QStringLiteral("engine_note"));
     current()->addWide(note);
-    follow([this, note] {
-        note->setText(model_->engineNote());
-        note->setVisible(!note->text().isEmpty());
-    });
+    follow([this, note] { showOrHide(note, model_->engineNote()); });
     finish();
 }
 
@@ -120,14 +116,13 @@ void PlugsSheet::addThread() {
 void PlugsSheet::addPlugs(const QString& label, const QString& name, const QString& hint,
                           v8_plugs::EngineGroup group, bool v8_plugs::Engine::*member) {
     plugsSection(true, {});
-    QCheckBox* there = ordered(box(
+    box(
         name, label, hint,
         [this, member] { return model_->hasPlugs() && model_->input().plugs->engine.*member; },
         [this, step = QString(label).remove(QLatin1Char('&')), group](bool on) {
             model_->setPlugs(step, group, on);
-        }));
-    there->setFont(Theme::font(Theme::baseSize, true));
-    there->setMinimumHeight(Theme::withText(fieldHeight - 6));
+        })
+        ->setFont(Theme::font(Theme::baseSize, true));
     engineValues(group);
 }
 

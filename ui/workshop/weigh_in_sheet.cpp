@@ -48,15 +48,15 @@ WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent) : WorkshopShee
 /// What the weights are for, and which cylinders share a crankpin.
 void WeighInSheet::addSource() {
     section({});
-    QCheckBox* source = ordered(box(
+    QCheckBox* source = box(
         QStringLiteral("changes_from_weigh_in"), tr("Use the mass changes o&f this sheet"),
         fieldHint(v8_plugs::field::changes_source),
         [this] { return model_->hasPlugs() && model_->input().plugs->changes_from_weigh_in; },
         [this](bool on) {
             model_->editPlugs(fieldName(v8_plugs::field::changes_source),
                               [on](v8_plugs::Input& plugs) { plugs.changes_from_weigh_in = on; });
-        }));
-    follow([this, source] { source->setVisible(model_->hasPlugs()); });
+        });
+    showWhile(source, [this] { return model_->hasPlugs(); });
     QComboBox* pairs = wide(choice("/weigh_in/cylinder_numbering"), 250);
     const auto noPairs = [this] {
         return model_->input().engine.type == bob_weights::EngineType::in_line
@@ -108,9 +108,7 @@ void WeighInSheet::addWeights() {
             shownTitle(titles[row]).text.replace(QStringLiteral(", "), QStringLiteral(",\u00A0")));
         title->setWordWrap(true);
         title->setMaximumWidth(Theme::withText(titleColumn));  // the numbers need the room
-        follow([this, title, row, rows] {
-            title->setVisible(row >= rows || row < model_->weightRows());
-        });
+        showWhile(title, [this, row, rows] { return row >= rows || row < model_->weightRows(); });
         for (int column = 0; row < rows && column < columns; ++column) {
             grid_->addWidget(addCell(row, column), row + 1, column + 1);
         }
@@ -192,7 +190,7 @@ NumberField* WeighInSheet::addCell(int row, int column) {
             model_->setWeight(name({}), row, column, mass);
         });
     trouble_->watch(field);
-    follow([this, field, row] { field->setVisible(row < model_->weightRows()); });
+    showWhile(field, [this, row] { return row < model_->weightRows(); });
     return field;
 }
 

@@ -133,10 +133,12 @@ NumberField* WorkshopSheet::large(NumberField* field) {
     return ordered(field);
 }
 
-QComboBox* WorkshopSheet::choice(const char* pointer) {
-    QComboBox* box = ordered(Form::choice(pointer));
-    enlarge(box);
-    return box;
+void WorkshopSheet::showWhile(QWidget* widget, std::function<bool()> isShown) {
+    follow([widget, isShown = std::move(isShown)] { widget->setVisible(isShown()); });
+}
+
+void WorkshopSheet::enableWhile(QWidget* widget, std::function<bool()> isEnabled) {
+    follow([widget, isEnabled = std::move(isEnabled)] { widget->setEnabled(isEnabled()); });
 }
 
 void WorkshopSheet::text(const char* pointer, int longest) {
@@ -238,7 +240,7 @@ void WorkshopSheet::doubt(EntryField* field, std::string_view word) {
 }
 
 void WorkshopSheet::plugsSection(bool there, const QString& title) {
-    follow([this, there, made = section(title)] { made->setVisible(model_->hasPlugs() == there); });
+    showWhile(section(title), [this, there] { return model_->hasPlugs() == there; });
 }
 
 void WorkshopSheet::engineValues(v8_plugs::EngineGroup group) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QCheckBox>
 #include <QList>
 #include <map>
 
 #include "text/typed_number.h"
+#include "theme/theme.h"
 #include "widgets/form.h"
 #include "workshop/model/workshop_model.h"
 
@@ -47,7 +49,20 @@ class WorkshopSheet : public Form {
         }
         return large(field);
     }
-    QComboBox* choice(const char* pointer);
+    template <typename... Arguments>
+    QComboBox* choice(Arguments&&... arguments) {
+        QComboBox* box = ordered(Form::choice(std::forward<Arguments>(arguments)...));
+        enlarge(box);
+        return box;
+    }
+    template <typename... Arguments>
+    QCheckBox* box(Arguments&&... arguments) {
+        QCheckBox* box = ordered(Form::box(std::forward<Arguments>(arguments)...));
+        box->setMinimumHeight(Theme::withText(fieldHeight - 6));
+        return box;
+    }
+    void showWhile(QWidget* widget, std::function<bool()> isShown);
+    void enableWhile(QWidget* widget, std::function<bool()> isEnabled);
     /// @param longest  limit of the typed text, characters
     void text(const char* pointer, int longest = 80);
     static constexpr int longestNotes = 1000;
