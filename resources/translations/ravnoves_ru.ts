@@ -17270,10 +17270,6 @@ but at this l no α is feasible</source>
         <translation>Введите допустимый остаточный дисбаланс.</translation>
     </message>
     <message>
-        <source>Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else is kept.</source>
-        <translation>Очищены: взвешенные массы, показания, отверстия и масса вала. Остальное сохранено.</translation>
-    </message>
-    <message>
         <source>Readings of the run, transferred to this plane, as the machine shows them</source>
         <translation>Показания пуска, перенесённые в эту плоскость, как их даёт станок</translation>
     </message>
@@ -17296,6 +17292,10 @@ but at this l no α is feasible</source>
 </context>
 <context>
     <name>ravnoves::WorkshopPage</name>
+    <message>
+        <source>Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else is kept.</source>
+        <translation>Очищены: взвешенные массы, показания, отверстия и масса вала. Остальное сохранено.</translation>
+    </message>
     <message>
         <source>&amp;Save job in the journal</source>
         <translation>&amp;Сохранить работу в журнале</translation>

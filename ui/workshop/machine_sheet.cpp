@@ -192,17 +192,18 @@ void MachineSheet::buildRuns() {
                 if (run > 0) {
                     made->setPlaceholderText({});
                 }
-                bind(
-                    made, field,
-                    [this, run, plane, isAngle] { return model_->reading(run, plane, isAngle); },
-                    [this, run, plane, isAngle, name](std::optional<double> value) {
-                        model_->editReading(name({}), run, plane, isAngle, value);
-                    });
+                const auto read = [this, run, plane, isAngle] {
+                    const Reading reading = model_->reading(run, plane);
+                    return isAngle ? reading.angle : reading.unbalance;
+                };
+                bind(made, field, read,
+                     [this, run, plane, isAngle, name](std::optional<double> value) {
+                         model_->editReading(name({}), run, plane, isAngle, value);
+                     });
                 // What is typed again is read again, be it the same number.
                 connect(made, &QLineEdit::textEdited, this, [=, this] {
                     if (made->isDoubtful() && made->trouble().isEmpty()) {
-                        model_->editReading(name({}), run, plane, isAngle,
-                                            model_->reading(run, plane, isAngle));
+                        model_->editReading(name({}), run, plane, isAngle, read());
                     }
                 });
                 doubt(made, [this, run, made] {
@@ -211,7 +212,7 @@ void MachineSheet::buildRuns() {
                 });
                 if (isAngle) {
                     follow([this, run, plane, made, empty = made->placeholderText()] {
-                        const auto unbalance = model_->reading(run, plane, false);
+                        const auto unbalance = model_->reading(run, plane).unbalance;
                         const bool isMissing = !unbalance || has_direction(*unbalance);
                         made->setPlaceholderText(isMissing ? empty : QStringLiteral("–"));
                     });

@@ -29,7 +29,12 @@ PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     plugsSection(false, tr("Balance factor"));
     doubt(number("/factor/reciprocating_percent"), "share-of-one");
     number("/factor/overbalance_percent");
-    line(Theme::smallSize, [this] { return model_->reasonText(); });
+    line(Theme::smallSize, [this] {
+        const bob_weights::Engine& engine = model_->input().engine;
+        return engine.type == bob_weights::EngineType::v && !engine.bank_angle
+                   ? QString()
+                   : messageText(factor_reason(engine));
+    });
     plugsSection(true, tr("Parts of one cylinder, heavier than nominal by (negative: lighter)"));
     for (const v8_plugs::MassChangeField& each : v8_plugs::mass_change_fields()) {
         NumberField* made = number(

@@ -594,8 +594,9 @@ void WorkshopPage::goToBeginning() {
 void WorkshopPage::showNewJob(const QString& said) {
     goToBeginning();
     beginSheets();
-    const QString kept = said + QLatin1Char(' ') + WorkshopModel::carriedOver();
-    Q_EMIT status(kept.trimmed());
+    Q_EMIT status(said + QLatin1Char(' ') +
+                  tr("Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else "
+                     "is kept."));
 }
 
 void WorkshopPage::showJournal(const QString& search) {

@@ -665,7 +665,7 @@ TEST_F(CardJobTest, AReadingInGramsIsAtTheDrillingRadius) {
               u"different radii, enter g·mm."_s);
     typeReadings();
     type("unbalance_1", u"35 g"_s);
-    EXPECT_NEAR(*model->reading(0, 0, false), 35 * 85 * units::gram_mm, 1e-12);
+    EXPECT_NEAR(*model->reading(0, 0).unbalance, 35 * 85 * units::gram_mm, 1e-12);
     EXPECT_EQ(field("unbalance_1")->text(), u"2975"_s);
     EXPECT_TRUE(begins(field("unbalance_1")->said(), u"“35 g” at a radius of 85.0"_s));
     // Typed without the unit they would pass, and are asked about.

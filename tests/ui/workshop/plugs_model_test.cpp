@@ -304,7 +304,7 @@ TEST_F(PlugsModelTest, JobsAreSavedOpenedChangedAndCopied) {
     EXPECT_FALSE(model.plugsInput()->changes_known());
     EXPECT_FALSE(model.plugsInput()->has_typed_changes());
     EXPECT_EQ(model.input().job.date, QDate::currentDate().toString(Qt::ISODate).toStdString());
-    EXPECT_FALSE(model.reading(0, 0, false));
+    EXPECT_FALSE(model.reading(0, 0).unbalance);
     number(model, "53-13");
     model.desk()->saveJob(&ok);
     EXPECT_NE(model.desk()->jobId(), id);

@@ -205,7 +205,7 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     for (const bob_weights::Hole& each : holes()) {
         EXPECT_TRUE(each.deepens || std::abs(each.angle - angle) > 5.0 * degree);
     }
-    EXPECT_EQ(model->reading(0, 0, false), 2500 * units::gram_mm);
+    EXPECT_EQ(model->reading(0, 0).unbalance, 2500 * units::gram_mm);
     model->history()->undo();
     EXPECT_TRUE(model->input().correction->earlier_runs.empty());
     model->loadInput(kept, {});

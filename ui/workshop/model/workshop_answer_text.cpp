@@ -380,12 +380,6 @@ QString WorkshopModel::factorText(const Words& words) const {
            words.message(factor_effect(input().engine, result.factor + typed.overbalance));
 }
 
-QString WorkshopModel::reasonText() const {
-    return input().engine.type == EngineType::v && !input().engine.bank_angle
-               ? QString()
-               : messageText(factor_reason(input().engine));
-}
-
 QString WorkshopModel::limitText(const Words& words) const {
     const bob_weights::Result& result = solution();
     // The mass that a limit is by may be what is doubted.

@@ -539,15 +539,7 @@ const RunResult* WorkshopModel::runResult(std::size_t run) const {
 }
 
 bool WorkshopModel::isRunRead() const {
-    for (std::size_t plane = 0; plane < 2; ++plane) {
-        Reading read;
-        read.unbalance = reading(newestRun(), plane, false);
-        read.angle = reading(newestRun(), plane, true);
-        if (!is_read(read)) {
-            return false;
-        }
-    }
-    return true;
+    return is_read(reading(newestRun(), 0)) && is_read(reading(newestRun(), 1));
 }
 
 bool WorkshopModel::isPlanned() const {
@@ -556,19 +548,14 @@ bool WorkshopModel::isPlanned() const {
            ((plan && !plan->empty()) || (input().correction && input().correction->record.drilled));
 }
 
-std::optional<double> WorkshopModel::reading(std::size_t run, std::size_t plane,
-                                             bool isAngle) const {
+Reading WorkshopModel::reading(std::size_t run, std::size_t plane) const {
     if (!input().correction || run > newestRun()) {
-        return std::nullopt;
+        return {};
     }
-    const auto value = [&](const std::vector<Reading>& readings) -> std::optional<double> {
-        return plane >= readings.size() ? std::nullopt
-               : isAngle                ? readings[plane].angle
-                                        : readings[plane].unbalance;
-    };
     const Correction& correction = *input().correction;
-    return run < newestRun() ? value(correction.earlier_runs[run + firstRun()].readings)
-                             : value(correction.readings);
+    const auto& readings = run < newestRun() ? correction.earlier_runs[run + firstRun()].readings
+                                             : correction.readings;
+    return plane < readings.size() ? readings[plane] : Reading{};
 }
 
 std::string WorkshopModel::readingPlace(std::size_t run, std::size_t plane) const {

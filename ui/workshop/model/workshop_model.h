@@ -97,7 +97,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     workshop::Withheld withheld() const { return solved().found.withheld(); }
     /// Parts not weighed yet count as nominal.
     bool isProvisional() const { return solved().found.is_provisional(); }
-    /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
     /// Entries that the form rejects now and that results depend on.
     /// @param places  pointers of the values before them that may be left out
@@ -130,20 +129,17 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Weights of plugs are used from the first on, until the user chooses otherwise.
     QString editWeights(const QString& name,
                         const std::function<void(bob_weights::WeighIn&)>& mutate);
-    /// The columns of the rods' ends change places.
     void swapRodEnds();
 
     // Runs of the machine.
-    /// Number of the run that is corrected: 0 before drilling.
-    std::size_t newestRun() const;
+    std::size_t newestRun() const;  ///< that is corrected: 0 before drilling
     /// What follows from a run; null while nothing does.
     const bob_weights::RunResult* runResult(std::size_t run) const;
     /// True where both of its readings are whole.
     bool isRunRead() const;
-    /// True where it has holes to drill.
     bool isPlanned() const;
-    /// A reading of the machine, SI.
-    std::optional<double> reading(std::size_t run, std::size_t plane, bool isAngle) const;
+    /// Empty where there is none.
+    bob_weights::Reading reading(std::size_t run, std::size_t plane) const;
     /// Where the readings of a plane are in the case, as a pointer to what follows it.
     std::string readingPlace(std::size_t run, std::size_t plane) const;
     /// The first reading of the run after the newest makes that the newest; without any there is no
@@ -156,7 +152,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Why they are invalid; empty while all are valid.
     QString otherRunText() const;
 
-    /// Makes this machine's settings the default of new jobs.
+    /// The default of new jobs.
     void keepMachine();
     bool isShopsMachine() const;
 
@@ -167,7 +163,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// it.
     void setHasPlugs(bool there);
     QString editPlugs(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate);
-    /// Presets of the paper.
     QStringList engineNames() const;
     /// Takes an engine over by its place in engineNames().
     void chooseEngine(int index);
@@ -185,7 +180,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void fillNominalMasses();
     /// False where there are no such parts, or the masses are theirs.
     bool canFillNominalMasses() const;
-    /// Makes the tolerance the one that new jobs begin with.
     void keepTolerance();
     bool isShopsTolerance() const;
 
@@ -194,7 +188,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     // for the nominal mass and for the permitted spread. A cell is a mass in kg, or nothing.
     static constexpr int firstCylinder = 2;  ///< its row
     int weightRows() const { return firstCylinder + input().engine.cylinders; }
-    /// The description common to all cells of a row.
     static const Field& weightField(int row);
     std::optional<double> weight(int row, int column) const;
     void setWeight(const QString& name, int row, int column, std::optional<double> mass);
@@ -203,9 +196,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// @return an empty string, or the fault
     QString pasteWeights(int row, int column, const std::vector<QStringList>& cells);
     WeighedColumn columnNote(shop::Part part) const;
-    /// The weights change places as the placing says.
     void moveParts();
-    /// The weights go back to where they were weighed.
     void moveBack();
     /// Parts are elsewhere than they were weighed, and it is known where that was.
     bool canMoveBack() const;
@@ -219,7 +210,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString spotName(const Words& words) const;
     /// "Before", "Run 1".
     static QString runName(const Words& words, std::size_t run);
-    /// How the machine is set up.
     QString machineText(const Words& words = {}) const;
 
     /// The bob weight; where unknown, the reason or the missing values.
@@ -228,7 +218,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString doubtfulText() const;
     QString hangText(const Words& words = {}) const;  ///< where it is hung
     QString factorText(const Words& words = {}) const;
-    QString reasonText() const;
     /// What may remain, and where that comes from.
     QString limitText(const Words& words = {}) const;
     /// The lines of the bob weight, their subtotals and sum: printed numbers add up.
@@ -268,11 +257,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// out: no part is ground by a slip of the keys.
     Results takeOffResults(const Words& words = {}) const;
 
-    /// A row for each quantity, a column for each plane.
     Results planeResults(const Words& words = {}) const;
     /// @param plane  its holes alone, without its name
     Results holeResults(const Words& words = {}, std::optional<std::size_t> plane = {}) const;
-    /// Holes and slugs after earlier runs, run by run.
     Results drilledResults(const Words& words = {}) const;
     /// A hole or slug of the record after a run: "Run 1: ⌀ 10 mm".
     QString drilledName(std::size_t run, const bob_weights::DrilledHole& hole) const;
@@ -298,7 +285,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// range and by the planned bore.
     QString shiftText(const Words& words = {}) const;
     QString checkText() const;  ///< after equals nominal
-    /// Whether an option is for the crankshaft that there is.
     bool isFitted(v8_plugs::OptionId id) const;
     QString toleranceText() const;
     QString plugWeightText() const;
@@ -306,7 +292,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results crankpinResults() const;
 
     // ------------------------------------------------------------------------------- journal
-    /// The machine's verdict, as the journal keeps it.
     QString verdictNow() const;
     JournalJob journalEntry() const;
     /// Adopts a job's case, as it was or to be the sheet of another one: what says whose it is, and
@@ -315,19 +300,12 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void takeJob(const CaseFile& file, bool isCopy);
     /// False while no weight and no reading of the job is on the sheet.
     bool hasNumbers() const;
-    /// What the answer still lacks, as a sentence; empty where it lacks nothing.
-    QString answerLacks() const;
+    QString answerLacks() const;  ///< a sentence; empty where nothing is lacking
     /// Whether the sheet's engine equals a job's in all but its name.
     /// @throws InputError
     bool isEngineOf(const CaseFile& job) const;
     /// Empties the sheet for the next job of the same engine.
     void newJob();
-    /// The values that newJob() keeps, and those that it clears.
-    static QString carriedOver() {
-        return tr(
-            "Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else is "
-            "kept.");
-    }
 
   Q_SIGNALS:
     /// Which sheet of the form to show: job, parts, weigh-in, plugs, machine, correction.
