@@ -1,7 +1,10 @@
-// The job card on paper: printer, preview, PDF and the shop's name. Its numbers:
-// job_card_test.cpp.
+// The job card on paper: printer, preview, PDF, the paper and the shop's name. Its numbers:
+// plugs_job_card_test.cpp.
 
+#include <QBuffer>
 #include <QInputDialog>
+#include <QLocale>
+#include <QPdfWriter>
 #include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
 #include <QPrinter>
@@ -10,7 +13,7 @@
 
 #include "core/workshop/support.h"
 #include "job_page_test.h"
-#include "workshop/workshop_card.h"
+#include "text/usual_paper.h"
 
 namespace ravnoves {
 namespace {
@@ -130,6 +133,51 @@ TEST_F(PlugsPageTest, PreviewShowsTheCard) {
     });
     act(u"preview_card"_s);
     EXPECT_GE(pages, 1);
+}
+
+class CardPaperTest : public ::testing::Test {
+  protected:
+    CardPaperTest() { forget(); }
+    ~CardPaperTest() override { forget(); }
+    static void forget() { QSettings().remove(u"workshop/paper"_s); }
+
+    static void choose(const QPageSize& size) {
+        QBuffer buffer;
+        QPdfWriter writer(&buffer);
+        setPaper(writer, cardPaper());
+        writer.setPageSize(size);
+        keepCardPaper(writer);
+    }
+    static QByteArray written() {
+        return paperAsPdf(jobCard(WorkshopModel(QString()), Words()), cardPaper());
+    }
+};
+
+TEST_F(CardPaperTest, IsThatOfTheCountryAtFirst) {
+    EXPECT_EQ(usualPaper(QLocale(u"en_US"_s)), QPageSize::Letter);
+    EXPECT_EQ(usualPaper(QLocale(u"fr_CA"_s)), QPageSize::Letter);
+    EXPECT_EQ(usualPaper(QLocale(u"es_MX"_s)), QPageSize::Letter);
+    EXPECT_EQ(usualPaper(QLocale(u"en_GB"_s)), QPageSize::A4);
+    EXPECT_EQ(usualPaper(QLocale(u"es_ES"_s)), QPageSize::A4);
+    EXPECT_EQ(usualPaper(QLocale(u"ru_RU"_s)), QPageSize::A4);
+    EXPECT_EQ(usualPaper(QLocale::c()), QPageSize::A4);
+    EXPECT_EQ(cardPaper(), QPageSize(usualPaper()));
+}
+
+TEST_F(CardPaperTest, IsRememberedForPrinterAndFile) {
+    choose(QPageSize(QPageSize::Letter));
+    EXPECT_EQ(cardPaper().id(), QPageSize::Letter);
+    EXPECT_TRUE(written().contains("/MediaBox [0 0 612.0"));
+    choose(QPageSize(QPageSize::A4));
+    EXPECT_EQ(cardPaper().id(), QPageSize::A4);
+    EXPECT_TRUE(written().contains("/MediaBox [0 0 595."));
+    // Of a roll, too.
+    const QPageSize roll(QSizeF(120, 300), QPageSize::Millimeter);
+    choose(roll);
+    EXPECT_EQ(cardPaper().sizePoints(), roll.sizePoints());
+    // What is no paper is none.
+    QSettings().setValue(u"workshop/paper"_s, u"large"_s);
+    EXPECT_EQ(cardPaper(), QPageSize(usualPaper()));
 }
 
 }  // namespace

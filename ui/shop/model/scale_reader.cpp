@@ -47,7 +47,7 @@ ScaleReader::ScaleReader(QObject* parent) : QObject(parent) {
     connect(&port_, &QSerialPort::readyRead, this, &ScaleReader::read);
     connect(&port_, &QSerialPort::errorOccurred, this, [this](QSerialPort::SerialPortError error) {
         if (error == QSerialPort::ResourceError || error == QSerialPort::ReadError) {
-            lose(error);
+            lose();
         }
     });
 }
@@ -99,7 +99,7 @@ void ScaleReader::open() {
     Q_EMIT connectionChanged();
 }
 
-void ScaleReader::lose(QSerialPort::SerialPortError /*error*/) {
+void ScaleReader::lose() {
     if (!port_.isOpen()) {
         return;
     }

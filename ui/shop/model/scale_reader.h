@@ -45,7 +45,7 @@ class ScaleReader : public QObject {
 
   private:
     void open();
-    void lose(QSerialPort::SerialPortError error);
+    void lose();
     void read();
     void take(const std::string& raw);
     void forgetForm();

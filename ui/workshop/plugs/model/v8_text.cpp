@@ -1,19 +1,10 @@
 #include "workshop/plugs/model/v8_text.h"
 
-#include "v8-plugs/fields.h"
 #include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_text {
 
 using namespace v8_plugs;
-
-QString grams(const Words& words, double mass, int decimals) {
-    return words.number(mass, units::gram, decimals);
-}
-
-QString gramMillimetres(const Words& words, double unbalance, int decimals) {
-    return words.number(unbalance, units::gram_mm, decimals);
-}
 
 QString thread(const Words& words, const Thread& thread) {
     return QStringLiteral("M%1×%2").arg(words.plain(thread.diameter / units::mm, 2),
@@ -30,15 +21,6 @@ QString engineName(const Words& words, const std::string& name) {
     }
     return words.plain(text.chopped(2).toDouble(), 2) + QChar(0x00A0) +
            words.translate("V8", "l", "litre");
-}
-
-QString optionName(const Words& words, OptionId option) {
-    return words.text(option_word(option).label);
-}
-
-bool works(const Result& solution) {
-    return solution.advice && (solution.advice->kind == Advice::Kind::option ||
-                               solution.advice->kind == Advice::Kind::none_needed);
 }
 
 }  // namespace ravnoves::v8_text
