@@ -303,10 +303,10 @@ void CorrectionSheet::addHoleRow() {
         trouble_->watch(made);
         return made;
     };
-    NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
-    NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
     QComboBox* plane = choiceOf(field::drilled_plane, &DrilledHole::plane, "drilled_plane",
                                 {QString(), QString()}, 64, measure);
+    NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
+    NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
     QStringList states;
     for (const Word& word : state_words) {
         states << shownText(word.label);
