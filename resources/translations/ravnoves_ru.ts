@@ -16880,10 +16880,6 @@ but at this l no α is feasible</source>
 <context>
     <name>ravnoves::WeighInSheet</name>
     <message>
-        <source>Excess on each crankpin, as weighed and after moving</source>
-        <translation>Лишняя масса на каждой шейке: как взвешено и после перестановки</translation>
-    </message>
-    <message>
         <source>In line each cylinder has a crankpin of its own.</source>
         <translation>В рядном двигателе у каждого цилиндра своя шатунная шейка.</translation>
     </message>
@@ -17098,22 +17094,6 @@ but at this l no α is feasible</source>
         <translation>%1: %2.</translation>
     </message>
     <message>
-        <source>Crankpin</source>
-        <translation>Шейка</translation>
-    </message>
-    <message>
-        <source>as weighed, g</source>
-        <translation>как есть, г</translation>
-    </message>
-    <message>
-        <source>after moving, g</source>
-        <translation>после, г</translation>
-    </message>
-    <message>
-        <source>Excess on each crankpin over the mean, parts moved</source>
-        <translation>Избыток на каждой шейке над средним, детали переставлены</translation>
-    </message>
-    <message>
         <source>fixed part, g</source>
         <translation>постоянная часть, г</translation>
     </message>
@@ -17152,18 +17132,6 @@ but at this l no α is feasible</source>
     <message>
         <source>Maximum off a plug: %1; slope kᵤ = %2, %3°.</source>
         <translation>Предел съёма с заглушки: %1; наклон kᵤ = %2, %3°.</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>Maximum minus minimum excess of the four crankpins</source>
-        <translation>Максимальный избыток четырёх шеек минус минимальный</translation>
-    </message>
-    <message>
-        <source>Excess on each crankpin over the mean, parts as weighed</source>
-        <translation>Избыток на каждой шейке над средним, детали как взвешены</translation>
     </message>
     <message>
         <source>STOP: correct the top line before drilling.</source>

@@ -298,11 +298,6 @@ void MachineSheet::buildTolerance() {
     doubtPlace("/tolerance/front_bearing_mm", BearingPlaces::reversed);
     doubtPlace("/tolerance/rear_bearing_mm", BearingPlaces::reversed);
     number("/tolerance/front_share");
-    // The list cuts it, and a line of its own would move the fields below it.
-    follow([grades, hint = grades->toolTip()] {
-        const QString use = grades->currentData(Qt::ToolTipRole).toString();
-        grades->setToolTip(use.isEmpty() ? hint : use);
-    });
 }
 
 /// How the balancing machine is set up.

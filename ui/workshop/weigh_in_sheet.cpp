@@ -41,7 +41,6 @@ WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent) : WorkshopShee
     line(Theme::baseSize, [model] { return model->weighInText(); });
     addGoal();
     addFindings();
-    addTable("crankpins", tr("Excess on each crankpin, as weighed and after moving"));
     finish();
 }
 

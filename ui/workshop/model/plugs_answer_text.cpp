@@ -259,30 +259,4 @@ QString WorkshopModel::optionTip(const SolvedOption& option) const {
     return text.join(QLatin1Char('\n'));
 }
 
-Results WorkshopModel::crankpinResults() const {
-    const auto& placing = solution().placing;
-    if (plugs() == nullptr || !placing) {
-        return {};
-    }
-    const double mean = plugs()->weighed_excess.value();
-    const auto row = [&](const QString& name, const shop::Placed& placed, const QString& tip) {
-        ResultRow cells({shownTitle(name).text}, tip);
-        for (const double mass : placed.crankpins) {
-            cells << Words().cell(mean + mass, units::gram, 2);
-        }
-        cells << Words().cell(placed.spread, units::gram, 2);
-        return cells;
-    };
-    return {{tr("Crankpin"),
-             QStringLiteral("1"),
-             QStringLiteral("2"),
-             QStringLiteral("3"),
-             QStringLiteral("4"),
-             {tr("range"), tr("Maximum minus minimum excess of the four crankpins")}},
-            {row(tr("as weighed, g"), placing->as_weighed,
-                 tr("Excess on each crankpin over the mean, parts as weighed")),
-             row(tr("after moving, g"), placing->after,
-                 tr("Excess on each crankpin over the mean, parts moved"))}};
-}
-
 }  // namespace ravnoves

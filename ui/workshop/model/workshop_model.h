@@ -289,7 +289,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString toleranceText() const;
     QString plugWeightText() const;
     Results optionResults() const;
-    Results crankpinResults() const;
 
     // ------------------------------------------------------------------------------- journal
     QString verdictNow() const;

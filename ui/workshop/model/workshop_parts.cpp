@@ -175,7 +175,6 @@ constexpr std::array makers{
     Maker{{.id = "effects", .tab = "sheet-3"}, made<inWords<&WorkshopModel::effectResults>>},
     Maker{{.id = "assignment", .tab = "sheet-3"}, made<inWords<&WorkshopModel::assignmentResults>>},
     Maker{{.id = "take-off", .tab = "sheet-3"}, made<inWords<&WorkshopModel::takeOffResults>>},
-    Maker{{.id = "crankpins", .tab = "sheet-3"}, made<&WorkshopModel::crankpinResults>},
 };
 
 }  // namespace
