@@ -17130,10 +17130,6 @@ but at this l no α is feasible</source>
         <translation>Снимаемая масса учитывает смещение; один метод оставил бы до %1.</translation>
     </message>
     <message>
-        <source>Maximum off a plug: %1; slope kᵤ = %2, %3°.</source>
-        <translation>Предел съёма с заглушки: %1; наклон kᵤ = %2, %3°.</translation>
-    </message>
-    <message>
         <source>STOP: correct the top line before drilling.</source>
         <translation>СТОП: до сверления исправьте верхнюю строку.</translation>
     </message>

@@ -63,10 +63,7 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
              v8_plugs::EngineGroup::new_plug, &v8_plugs::Engine::has_new_plug);
     plugsSection(true, {});
     // Below the fields: they must not move while one types.
-    QLabel* note = captionLabel({}, this);
-    note->setObjectName(QStringLiteral("engine_note"));
-    current()->addWide(note);
-    follow([this, note] { showOrHide(note, model_->engineNote()); });
+    line(Theme::smallSize, [this] { return model_->engineNote(); });
     finish();
 }
 

@@ -70,13 +70,9 @@ QString WorkshopModel::adviceText(const Words& words) const {
 }
 
 QString WorkshopModel::boringText(const Words& words) const {
-    return plugs() != nullptr && plugs()->advice && plugs()->advice->kind == Advice::Kind::option
-               ? boringText(words, *plugs()->chosen())
-               : QString();
-}
-
-QString WorkshopModel::boringText(const Words& words, const SolvedOption& option) const {
-    const auto bored = option.right_boring();
+    const bool isOption = plugs() != nullptr && plugs()->advice &&
+                          plugs()->advice->kind == Advice::Kind::option;
+    const auto bored = isOption ? plugs()->chosen()->right_boring() : std::nullopt;
     return bored && plugsInput()->plug
                ? words.message(describe(*bored, plugsInput()->plug->limits().value()))
                : QString();
@@ -93,8 +89,16 @@ QString WorkshopModel::excessText() const {
                              *plugs()->unbalanced_mass * *plugsInput()->engine.crank_radius));
 }
 
-QString WorkshopModel::shiftText(const Words& words, const SolvedOption& option) const {
-    const double plug = option.plug_mass_unmachined - option.reduction;
+QString WorkshopModel::shiftText(const Words& words) const {
+    const SolvedOption* option = plugs() != nullptr ? plugs()->chosen() : nullptr;
+    if (plugs() != nullptr && option == nullptr) {
+        const auto& usual = plugs()->option(OptionId::steel_machined);
+        option = usual ? &*usual : nullptr;
+    }
+    if (option == nullptr) {
+        return {};
+    }
+    const double plug = option->plug_mass_unmachined - option->reduction;
     QString text = words
                        .translate("V8",
                                   "The method neglects the shift of the plug's centre of mass by "
@@ -104,7 +108,7 @@ QString WorkshopModel::shiftText(const Words& words, const SolvedOption& option)
                             gramMillimetres(words, plugsInput()->tolerance),
                             words.digits(smallest_shift, units::mm, 1),
                             words.number(largest_shift, units::mm, 1));
-    const auto& effect = option.shift;
+    const auto& effect = option->shift;
     if (effect && effect->planned) {
         text +=
             QLatin1Char(' ') + words.translate("V8", "With the planned bore it moves by %1: %2.")
@@ -112,17 +116,6 @@ QString WorkshopModel::shiftText(const Words& words, const SolvedOption& option)
                                         gramMillimetres(words, effect->maximum));
     }
     return text;
-}
-
-QString WorkshopModel::shiftText(const Words& words) const {
-    if (plugs() == nullptr) {
-        return {};
-    }
-    const SolvedOption* chosen = plugs()->chosen();
-    const auto& usual = plugs()->option(OptionId::steel_machined);
-    return chosen != nullptr ? shiftText(words, *chosen)
-           : usual           ? shiftText(words, *usual)
-                             : QString();
 }
 
 QString WorkshopModel::plugsWhileHung(const Words& words) const {
@@ -245,17 +238,9 @@ QString WorkshopModel::optionTip(const SolvedOption& option) const {
         text << tr("The take-off includes the shift; the method alone would leave up to %1.")
                     .arg(gramMillimetres(Words(), std::abs(option.shift->residual_unbalance)));
     }
-    text << QStringList{
-        tr("%1: %2.").arg(v8_text::optionName(Words(), option.id),
-                          Words().message(describe_verdict(option, plugsInput()->tolerance))),
-        tr("Maximum off a plug: %1; slope kᵤ = %2, %3°.")
-            .arg(grams(Words(), option.max_reduction, 3), Words().number(option.slope, 3),
-                 Words().number(std::atan(option.slope) / units::degree, 1))};
-    const QString boring = boringText(Words(), option);
-    if (!boring.isEmpty()) {
-        text << boring;
-    }
-    text << shiftText(Words(), option);
+    text << tr("%1: %2.").arg(
+        v8_text::optionName(Words(), option.id),
+        Words().message(describe_verdict(option, plugsInput()->tolerance)));
     return text.join(QLatin1Char('\n'));
 }
 

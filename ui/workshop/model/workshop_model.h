@@ -335,8 +335,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QStringList plugTroubles(const Words& words) const;
     /// Whether the plugs are in the shaft while it hangs there, and what to hang in the other case.
     QString plugsWhileHung(const Words& words) const;
-    QString boringText(const Words& words, const v8_plugs::SolvedOption& option) const;
-    QString shiftText(const Words& words, const v8_plugs::SolvedOption& option) const;
     QString optionTip(const v8_plugs::SolvedOption& option) const;
     void notePlugs(JournalJob& job) const;
     /// The engine with the nominal masses that follow from its nominal parts.
