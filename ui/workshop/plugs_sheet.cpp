@@ -1,5 +1,3 @@
-#include <QLabel>
-
 #include "case-file/input_error.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
