@@ -15,18 +15,24 @@ using namespace v8_plugs;
 
 using units::gram;
 
+/// The rows of the inputs in a report.
+QStringList reported(SceneModel& model) {
+    QStringList rows;
+    for (const paper::Table& table : inputTables(model)) {
+        for (const QStringList& row : table.rows) {
+            rows << row.join(u'|');
+        }
+    }
+    return rows;
+}
+
 TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
     type("rod_big_end", u"0.5"_s);
     type("repair_piston_and_rings", u"2"_s);
     EXPECT_EQ(model->replacedInputs(), std::vector<std::string>());
     type("nominal_piston", u"600"_s);
     weigh("piston", std::vector<double>(8, 601.0));
-    QStringList rows;
-    for (const paper::Table& table : inputTables(*model)) {
-        for (const QStringList& row : table.rows) {
-            rows << row.join(u'|');
-        }
-    }
+    const QStringList rows = reported(*model);
     const QString unused = u"Not used: other inputs replace it"_s;
     EXPECT_TRUE(rows.contains(u"One repair piston with rings Δmᵣₚ|2|g|"_s + unused))
         << qPrintable(rows.join(u'\n'));
@@ -40,12 +46,7 @@ TEST_F(PlugsPageTest, AReportNamesOverriddenValuesAsTheForm) {
     input["plugs"]["engine"] = "4.25 l";
     input["plugs"]["engine_overrides"] = {{"steel_plug_mass_g", 28.5}, {"oil_mass_g", 20}};
     model->loadInput(input, {});
-    QStringList rows;
-    for (const paper::Table& table : inputTables(*model)) {
-        for (const QStringList& row : table.rows) {
-            rows << row.join(u'|');
-        }
-    }
+    const QStringList rows = reported(*model);
     EXPECT_EQ(rows.filter(u"One steel plug mₚ|28.5|g|"_s).size(), 1)
         << qPrintable(rows.join(u'\n'));
     EXPECT_EQ(rows.filter(u"Oil of one crankpin mₘ|20|g|"_s).size(), 1);
