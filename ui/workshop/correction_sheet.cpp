@@ -271,11 +271,11 @@ void CorrectionSheet::addHoleRow() {
         NumberField* made = cell(
             field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1),
             [this, row, &field](const Words& words) {
-                const DrilledHole* hole = holeAt(model_->input(), row);
-                return (hole != nullptr
-                            ? model_->drilledName(words, holePlaces(model_->input())[row].run) +
-                                  QStringLiteral(", ") +
-                                  model_->planeName(static_cast<std::size_t>(hole->plane), words) +
+                const auto holes = drilledHoles(model_->input().correction);
+                return (row < holes.size()
+                            ? model_->drilledName(words, holes[row].first) + QStringLiteral(", ") +
+                                  model_->planeName(
+                                      static_cast<std::size_t>(holes[row].second->plane), words) +
                                   QStringLiteral(": ")
                             : QString()) +
                        words.name(field);
