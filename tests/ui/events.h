@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QMessageBox>
 #include <QMouseEvent>
+#include <QTabWidget>
 #include <QTest>
 #include <QTimer>
 #include <QWheelEvent>
@@ -69,6 +70,18 @@ inline void showAt(QWidget& widget, const QSize& size) {
     widget.show();
     QApplication::processEvents();
     QApplication::processEvents();
+}
+
+/// Brings each tab of a page to the front in turn, and looks.
+template <typename Look>
+void onEveryTab(const QWidget& page, Look look) {
+    for (QTabWidget* tabs : page.findChildren<QTabWidget*>()) {
+        for (int i = 0; i < tabs->count(); ++i) {
+            tabs->setCurrentIndex(i);
+            QApplication::processEvents();
+            look();
+        }
+    }
 }
 
 /// Points at a place of a widget until what it says there holds: a view made again under the

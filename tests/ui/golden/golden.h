@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QImage>
+#include <QPainter>
 #include <QSet>
 #include <QString>
 
@@ -137,13 +138,9 @@ class Golden {
         QImage picture(stored_.filePath(name + QStringLiteral(".png")));
         picture.convertTo(QImage::Format_ARGB32);
         if (picture.size() == ground_.size()) {
-            for (int y = 0; y < picture.height(); ++y) {
-                auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
-                const auto* ground = reinterpret_cast<const QRgb*>(ground_.constScanLine(y));
-                for (int x = 0; x < picture.width(); ++x) {
-                    line[x] = qAlpha(line[x]) == 0 ? ground[x] : line[x];
-                }
-            }
+            QPainter painter(&picture);
+            painter.setCompositionMode(QPainter::CompositionMode_DestinationOver);
+            painter.drawImage(0, 0, ground_);
         }
         picture.convertTo(QImage::Format_RGB32);
         return picture;

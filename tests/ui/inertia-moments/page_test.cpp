@@ -60,13 +60,6 @@ class InertiaMomentsPageTest : public test::PageTest<InertiaMomentsPage> {
                 << part;
         }
     }
-    void frontEveryTab() {
-        for (QTabWidget* tabs : page.findChildren<QTabWidget*>()) {
-            for (int i = 0; i < tabs->count(); ++i) {
-                tabs->setCurrentIndex(i);
-            }
-        }
-    }
 };
 
 TEST_F(InertiaMomentsPageTest, SlidersThatMeanNothingAreOff) {
@@ -524,7 +517,7 @@ TEST_F(InertiaMomentsPageTest, TheRodsLengthMayStandForLambda) {
 TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDraws) {
     for (const QString& name : InertiaMomentsModel::layoutNames()) {
         model->chooseLayout(name);
-        frontEveryTab();
+        test::onEveryTab(page, [] {});
         EXPECT_FALSE(page.grab().isNull());
     }
     // A firing order that the crank cannot run through, and no shafts, no weights.
@@ -535,7 +528,7 @@ TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDraws) {
         input.end_webs.reset();
         input.rotating_mass = 0.0;
     });
-    frontEveryTab();
+    test::onEveryTab(page, [] {});
     EXPECT_FALSE(page.grab().isNull());
 }
 

@@ -33,8 +33,8 @@ struct HelpPage {
 
 const std::vector<HelpPage>& helpPages() {
     static const std::vector<HelpPage> pages{
-        {u"en"_s, u"case-files.md"_s, u"## %1: input"_s,
-         u"| Key | Meaning | Allowed | Default |"_s, u"or"_s},
+        {u"en"_s, u"case-files.md"_s, u"## %1: input"_s, u"| Key | Meaning | Allowed | Default |"_s,
+         u"or"_s},
         {u"ru"_s, u"case-files.ru.md"_s, u"## %1: входные данные"_s,
          u"| Ключ | Значение | Допустимо | По умолчанию |"_s, u"или"_s}};
     return pages;

@@ -142,13 +142,7 @@ QStringList textsOfScene(MainWindow& window, const QString& scene) {
         return {};
     }
     QStringList texts;
-    for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
-        for (int i = 0; i < tabs->count(); ++i) {
-            tabs->setCurrentIndex(i);
-            QApplication::processEvents();
-            texts << textsBelow(*page);
-        }
-    }
+    test::onEveryTab(*page, [&] { texts << textsBelow(*page); });
     EXPECT_TRUE(test::comes([&] { return !page->isBusy(); }));
     texts << textsBelow(*page);
     texts.removeDuplicates();

@@ -43,12 +43,8 @@ std::vector<CatalogueEntry> textsOfToday() {
     EXPECT_TRUE(QFile::copy(test::russianFile(), copy));
     QFile::setPermissions(copy, QFile::ReadOwner | QFile::WriteOwner);
     // As the target update-translations does.
-    QStringList arguments{u"-silent"_s,
-                          u"-no-obsolete"_s,
-                          u"-locations"_s,
-                          u"none"_s,
-                          u"-I"_s,
-                          QStringLiteral(RAVNOVES_SOURCE "/ui")};
+    QStringList arguments{u"-silent"_s, u"-no-obsolete"_s, u"-locations"_s,
+                          u"none"_s,    u"-I"_s,           QStringLiteral(RAVNOVES_SOURCE "/ui")};
     for (const QString& layer :
          {QStringLiteral(RAVNOVES_SOURCE "/core"), QStringLiteral(RAVNOVES_SOURCE "/ui")}) {
         for (QDirIterator files(layer, {u"*.cpp"_s, u"*.h"_s}, QDir::Files,

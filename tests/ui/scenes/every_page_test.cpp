@@ -70,13 +70,7 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
     /// Calls `look` with each tab of the page in front in turn.
     void onEveryTab(const std::function<void()>& look) {
         look();
-        for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
-            for (int i = 0; i < tabs->count(); ++i) {
-                tabs->setCurrentIndex(i);
-                QApplication::processEvents();
-                look();
-            }
-        }
+        test::onEveryTab(*page, look);
     }
     /// The inputs that the user can reach now.
     template <typename Widget>

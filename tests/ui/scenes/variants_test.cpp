@@ -60,12 +60,7 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
     void changeByKeys() {
         const Json before = model().resultJson();
         changeWhatIsSeen();
-        for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
-            for (int i = 0; i < tabs->count(); ++i) {
-                tabs->setCurrentIndex(i);
-                changeWhatIsSeen();
-            }
-        }
+        test::onEveryTab(*page, [&] { changeWhatIsSeen(); });
         EXPECT_NE(model().resultJson(), before);
     }
     void changeWhatIsSeen() {
@@ -86,12 +81,7 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
     }
     /// Brings each tab to the front once, and lets what is computed in the background end.
     static void lookAtAll(ScenePage& shown) {
-        for (QTabWidget* tabs : shown.findChildren<QTabWidget*>()) {
-            for (int i = 0; i < tabs->count(); ++i) {
-                tabs->setCurrentIndex(i);
-                QApplication::processEvents();
-            }
-        }
+        test::onEveryTab(shown, [] {});
         EXPECT_TRUE(test::comes([&] { return !shown.isBusy(); }));
         QApplication::processEvents();
     }
