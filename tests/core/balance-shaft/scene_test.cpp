@@ -9,7 +9,7 @@
 #include "case-file/field_index.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "example_check.h"
+#include "examples.h"
 #include "temporary_folder.h"
 #include "test_cases.h"
 

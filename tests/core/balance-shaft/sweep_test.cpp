@@ -6,7 +6,7 @@
 #include <random>
 
 #include "balance-shaft/angle_search.h"
-#include "example_check.h"
+#include "examples.h"
 #include "numerics/vector_lanes.h"
 #include "scenes/scenes.h"
 #include "test_cases.h"

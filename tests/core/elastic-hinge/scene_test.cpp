@@ -5,17 +5,11 @@
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
 
-#include "example_check.h"
+#include "examples.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
 namespace {
-
-TEST(ElasticHingeCase, ExamplesOfTheContract) {
-    ravnoves::test::check_example("zotov-as-printed");
-    ravnoves::test::check_example("zotov-energy");
-    ravnoves::test::check_example("zotov-counterweight");
-}
 
 TEST(ElasticHingeCase, FirstCasesCanBeMade) {
     for (const char* name : {"zotov-softer-spring", "../templates/elastic-hinge"}) {

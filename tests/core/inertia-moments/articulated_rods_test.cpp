@@ -11,7 +11,6 @@
 #include "case-file/json.h"
 #include "case-file/result_json.h"
 #include "engines.h"
-#include "example_check.h"
 #include "inertia-moments/comparison.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/input.h"
@@ -301,11 +300,6 @@ TEST(ArticulatedRods, DeadCentresAreThoseOfThePiston) {
         EXPECT_NEAR(radial.engine.stroke(i), radial.engine.stroke(9 - i), 1e-14);
         EXPECT_GT(radial.engine.stroke(i), radial.engine.stroke(0));
     }
-}
-
-// The numbers were made by another program: circles cut with lines, 720 positions a turn.
-TEST(ArticulatedRods, AnExampleHasTheExpectedNumbers) {
-    ravnoves::test::check_example("radial-9");
 }
 
 TEST(ArticulatedRods, ARadialKeepsTheSizesOfTheEngine) {

@@ -4,17 +4,12 @@
 
 #include "case-file/result_index.h"
 #include "engines.h"
-#include "example_check.h"
 #include "inertia-moments/results.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
 
 using test::vr5;
-
-TEST(VolkswagenVr5, AgreesWithTheContractsExample) {
-    ravnoves::test::check_example("vr5-volkswagen");
-}
 
 // By the contract about the mean of the crankpins, 15.8 mm and more from the z₀ of all others.
 TEST(VolkswagenVr5, NamesThePointOfTheRotatingMoment) {

@@ -9,7 +9,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "example_check.h"
+#include "examples.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
 #include "studies/study_run.h"

@@ -19,7 +19,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "elastic-hinge/input.h"
-#include "example_check.h"
+#include "examples.h"
 #include "inertia-moments/input.h"
 #include "scenes/scenes.h"
 #include "workshop/input.h"

@@ -1,13 +1,20 @@
-// Cases of versions before this one give the numbers that they gave then.
+// Cases of versions before this one give the numbers that they gave then, examples of the contract
+// those that something else than this code found.
 
 #include "fixtures.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "examples.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -96,6 +103,49 @@ INSTANTIATE_TEST_SUITE_P(Of, FixtureCase, testing::ValuesIn(test::fixtures_with(
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
+
+/// Of examples, as above.
+const std::vector<Difference> differences_of_examples{
+    {"*", "as near as the contract asks for", 1e-6},
+    {"*/exact/*", "what rounding leaves of 0", 1e-6, 1e-9},
+    {"vr5-volkswagen/two_term/order_4/*/angle_deg", "null: the direction of no length"},
+};
+
+/// The curves of a result at the crank angles of the expected samples, as a fixture has them.
+Json curves_of(const Json& samples, const Json& curves) {
+    const auto angles = curves.at("crank_angle_deg").get<std::vector<double>>();
+    Json found;
+    for (const auto& curve : samples.items()) {
+        for (std::size_t k = 0; k < curve.value().size(); ++k) {
+            const double angle = samples.at("crank_angle_deg").at(k);
+            const auto at = std::find_if(angles.begin(), angles.end(), [&](double each) {
+                return std::abs(each - angle) < 1e-9;
+            });
+            found[curve.key()][std::to_string(at - angles.begin())] = curve.value().at(k);
+        }
+    }
+    return found;
+}
+
+TEST(Examples, HaveTheNumbersOfTheContract) {
+    std::set<std::string> scenes{"workshop"};  // as v8-plugs and bob-weights
+    for (const auto& each : std::filesystem::directory_iterator(RAVNOVES_EXPECTED)) {
+        const std::string name = each.path().stem().stem().string();
+        const Json document = parse_json(read_text_file(each.path()));
+        const CaseFile file = test::example(name);
+        EXPECT_EQ(document.at("scene"), file.scene) << name;
+        scenes.insert(file.scene);
+        const Json result = solve_case(file, CaseContext{RAVNOVES_EXAMPLES}).at("result");
+        Json expected = document.at("expected");
+        if (expected.contains("samples")) {
+            expected["curves"] = curves_of(expected["samples"], result.at("curves"));
+            expected.erase("samples");
+        }
+        const auto found = test::differences(name, expected, result, differences_of_examples);
+        EXPECT_TRUE(found.empty()) << test::first_of(found);
+    }
+    EXPECT_EQ(scenes.size(), scene_solvers().size());
+}
 
 TEST(Fixtures, ADifferenceIsFound) {
     const Json was = parse_json(R"({"a_mm": 1, "b": {"0": 1e3, "20": 0}, "w": "x", "s": "a b"})");

@@ -11,7 +11,7 @@
 #include "bibliography/bibliography.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "example_check.h"
+#include "examples.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {

@@ -11,7 +11,7 @@
 #include "case-file/json.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
-#include "example_check.h"
+#include "examples.h"
 #include "scenes/scenes.h"
 #include "support.h"
 #include "temporary_folder.h"

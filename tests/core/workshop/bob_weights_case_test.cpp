@@ -9,7 +9,6 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "example_check.h"
 #include "shop/results.h"
 #include "shop/weighing.h"
 #include "support.h"
@@ -56,11 +55,6 @@ Json front_of(const Json& input) {
 
 std::string error_of(const Json& input) {
     return workshop::test::error_of(input, solved);
-}
-
-TEST(Example, ShopCard) {
-    const Json document = ravnoves::test::check_example("bob-weights-v8");
-    EXPECT_NEAR(number(document, "/result/bobweight_g"), 1505.2, 1e-9);
 }
 
 TEST(BobWeight, OfSplitCrankpinsHangsOnEachOfThem) {

@@ -8,7 +8,7 @@
 #include "case-file/field_index.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "example_check.h"
+#include "examples.h"
 #include "support.h"
 #include "v8-plugs/presets.h"
 #include "workshop/solver.h"
@@ -134,15 +134,12 @@ TEST(RodCoefficient, IsNamedWithItsEffect) {
     EXPECT_EQ(notes(), "Big end × 2: the small ends are weighed, kᵣ is not used.");
 }
 
-TEST(Example, Repair) {
-    const Json document = ravnoves::test::check_example("v8-4.25-repair");
-    EXPECT_EQ(document.at("result").at("recommended"), "steel-machined");
-    EXPECT_EQ(document.at("result").at("reason"), "Take 1.83 g off each of the 8 steel plugs.");
-}
-
-TEST(Example, Manufacture) {
-    const Json document = ravnoves::test::check_example("v8-6-manufacture");
-    EXPECT_EQ(document.at("result").at("recommended"), "steel-to-aluminium");
+TEST(Example, IsAnswered) {
+    const Json repair = solved(ravnoves::test::example("v8-4.25-repair").input);
+    EXPECT_EQ(repair.at("recommended"), "steel-machined");
+    EXPECT_EQ(repair.at("reason"), "Take 1.83 g off each of the 8 steel plugs.");
+    const Json manufacture = solved(ravnoves::test::example("v8-6-manufacture").input);
+    EXPECT_EQ(manufacture.at("recommended"), "steel-to-aluminium");
 }
 
 TEST(Result, PresetWithOverridesIsTheSameEngine) {

@@ -19,7 +19,7 @@
 #include "case-file/json.h"
 #include "case-file/range.h"
 #include "case-file/text_file.h"
-#include "example_check.h"
+#include "examples.h"
 #include "language/catalogue.h"
 #include "scene_tests.h"
 #include "scenes/scenes.h"

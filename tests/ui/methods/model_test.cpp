@@ -9,7 +9,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "events.h"
-#include "example_check.h"
+#include "examples.h"
 #include "methods/model/case_budget_model.h"
 #include "methods_support.h"
 #include "processor_time.h"

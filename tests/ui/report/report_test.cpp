@@ -18,7 +18,7 @@
 
 #include "case-file/json.h"
 #include "events.h"
-#include "example_check.h"
+#include "examples.h"
 #include "files.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
