@@ -22,7 +22,7 @@ class Golden {
         int differing = 0;  ///< pixels
         int allowed = 0;
         QRect where;
-        QImage difference;  ///< what differs is red over the pale picture
+        QImage difference;  ///< what differs is red over the grey picture
         bool isSame() const { return differing <= allowed; }
     };
 
@@ -62,7 +62,8 @@ class Golden {
                                      std::abs(qGreen(a[x]) - qGreen(b[x])) > tolerance ||
                                      std::abs(qBlue(a[x]) - qBlue(b[x])) > tolerance)) {
                     if (found.differing++ == 0) {
-                        found.difference = paled(actual);
+                        found.difference = actual.convertToFormat(QImage::Format_Grayscale8)
+                                               .convertToFormat(QImage::Format_RGB32);
                     }
                     found.where |= QRect(x, y, 1, 1);
                     found.difference.setPixelColor(x, y, Qt::red);
@@ -168,16 +169,6 @@ class Golden {
         return colours.size() > 256
                    ? picture
                    : picture.convertToFormat(QImage::Format_Indexed8, colours.values());
-    }
-    static QImage paled(QImage picture) {
-        for (int y = 0; y < picture.height(); ++y) {
-            auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
-            for (int x = 0; x < picture.width(); ++x) {
-                const int grey = 128 + qGray(line[x]) / 2;
-                line[x] = qRgb(grey, grey, grey);
-            }
-        }
-        return picture;
     }
 
     QDir stored_;
