@@ -211,33 +211,6 @@ TEST(BalanceShaftParts, AreInTheUnitsOfTheirAxes) {
     EXPECT_EQ(figureOf(model, "pressure").curves[0].y, indicator.curves[0].y);
     // As a trace is drawn, without the clearance volume.
     EXPECT_NEAR(indicator.x.max / 1.03 * 1e-6, model.result().indicated->displacement, 1e-9);
-    const Figure orders = figureOf(model, "orders");
-    EXPECT_EQ(curveOf(orders, "M_ups").x.at(1), 1.0);
-    EXPECT_EQ(curveOf(orders, "M_ups").y.at(1), model.result().spectrum_M_ups[1].amplitude);
-
-    const auto& study = model.envelopeStudy();
-    const Figure sizes = figureOf(model, "sizes");
-    const Figure::Curve& width = curveOf(sizes, "width");
-    ASSERT_EQ(width.x.size(), study.area.size() + 1);
-    EXPECT_EQ(width.x.back(), 360.0);
-    EXPECT_EQ(width.y.back(), width.y.front());
-    const Figure range = figureOf(model, "range-over-size");
-    const Figure::Curve& all = curveOf(range, "all");
-    EXPECT_NEAR(all.x[5], width.y[5] * curveOf(sizes, "height").y[5] / 100.0, 1e-9);
-    const Figure::Curve& built = curveOf(range, "built");
-    for (std::size_t i = 0; i < study.area.size(); ++i) {
-        EXPECT_EQ(std::isnan(built.y[i]), !study.buildable[i]);
-    }
-    ASSERT_FALSE(range.marks->empty());
-    for (std::size_t i = 1; i < range.marks->size(); ++i) {
-        const auto angle = [&](std::size_t mark) {
-            return (*range.marks)[mark].text.chopped(1).toDouble();
-        };
-        EXPECT_GE(angle(i) - angle(i - 1), 15.0);
-    }
-    model.setShaftAngleDeg(90.0);
-    const Figure moved = figureOf(model, "range-over-size");
-    EXPECT_NEAR(curveOf(moved, "present").x[0], all.x[180], 1e-6);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
-#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QDialog>
 #include <QLabel>
@@ -116,28 +115,6 @@ TEST_P(Looks, NothingIsCutOrOutOfReach) {
             }
         }
     });
-}
-
-TEST_P(Looks, EveryStopOfTheTabKeyCanBeSeen) {
-    MainWindow& window = open();
-    window.activateWindow();
-    QWidget* page = window.currentPage();
-    QWidget* first = nullptr;
-    QTest::keyClick(page, Qt::Key_Tab);
-    for (int i = 0; i < 400; ++i) {
-        QWidget* focus = QApplication::focusWidget();
-        if (focus == nullptr || focus == first) {
-            break;
-        }
-        first = first == nullptr ? focus : first;
-        if (page->isAncestorOf(focus)) {
-            const auto* area = qobject_cast<const QAbstractScrollArea*>(focus);
-            EXPECT_FALSE(focus->visibleRegion().isEmpty() &&
-                         (area == nullptr || area->viewport()->visibleRegion().isEmpty()))
-                << placeOf(focus).toStdString();
-        }
-        QTest::keyClick(focus, Qt::Key_Tab);
-    }
 }
 
 QChar letterOf(const QString& text) {

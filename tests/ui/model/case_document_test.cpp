@@ -142,23 +142,5 @@ TEST_F(CaseDocumentTest, RemembersTheLastFiles) {
     EXPECT_EQ(CaseDocument::recentPaths(), many.mid(0, 8));
 }
 
-TEST_F(CaseDocumentTest, KeepsNotesVariantsAndStudyOfTheFile) {
-    CaseFile written{"balance-shaft", "t", {{"crank_radius_mm", 9.0}}};
-    written.notes = "Notes, кириллица";
-    written.variants.push_back({"A", {{"crank_radius_mm", 4.0}}});
-    written.study = {{"samples", 10}};
-    document.open(written, file("a.case.json"));
-    EXPECT_EQ(model.notes(), QStringLiteral("Notes, кириллица"));
-    EXPECT_EQ(document.saveTo(file("Дело №1.case.json")), QString());
-    const CaseFile read = CaseDocument::read(file("Дело №1.case.json"));
-    EXPECT_EQ(read.notes, written.notes);
-    EXPECT_EQ(read.variants, written.variants);
-    EXPECT_EQ(read.study, written.study);
-    EXPECT_TRUE(read.kept.is_null());
-    document.begin({"balance-shaft", "t", {{"crank_radius_mm", 9.0}}});
-    EXPECT_EQ(document.saveTo(file("b.case.json")), QString());
-    EXPECT_TRUE(CaseDocument::read(file("b.case.json")).variants.empty());
-}
-
 }  // namespace
 }  // namespace ravnoves

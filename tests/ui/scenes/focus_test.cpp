@@ -19,7 +19,7 @@ class FocusOnPage : public ::testing::TestWithParam<std::tuple<std::string, Them
   protected:
     FocusOnPage() {
         Theme::instance().setMode(std::get<1>(GetParam()));
-        test::showAt(window, {1280, 800});
+        test::showAt(window, {1024, 700});  // where some of them are scrolled to
         window.activateWindow();
         window.showScene(QString::fromStdString(std::get<0>(GetParam())));
         QApplication::processEvents();

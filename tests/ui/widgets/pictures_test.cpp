@@ -5,7 +5,6 @@
 #include <QAccessible>
 #include <QLabel>
 #include <QPainter>
-#include <QPicture>
 #include <QScrollArea>
 #include <limits>
 
@@ -45,28 +44,6 @@ TEST(CrankAngle, GoesRoundAndRestsAtTheEndOfItsCycle) {
     crank.turnTo(400.0);
     crank.setCycle(360.0);
     EXPECT_EQ(crank.degrees(), 40.0);
-}
-
-TEST(MechanismPicture, TheFrameOfTheFocusIsOnTheScreenAlone) {
-    CrankAngle crank(0.0, 360.0);
-    Framed picture(&crank);
-    test::showAt(picture, {200, 100});
-    const auto onPaper = [&] {
-        QPicture lines;
-        picture.render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
-        QImage paper(picture.size(), QImage::Format_RGB32);
-        paper.fill(Qt::white);
-        QPainter(&paper).drawPicture(0, 0, lines);
-        return paper;
-    };
-    picture.clearFocus();
-    const QImage screen = picture.grab().toImage();
-    const QImage paper = onPaper();
-    picture.activateWindow();
-    picture.setFocus();
-    ASSERT_TRUE(picture.hasFocus());
-    EXPECT_NE(picture.grab().toImage(), screen);
-    EXPECT_EQ(onPaper(), paper);
 }
 
 TEST(MechanismPicture, APauseIsSeenAtOnce) {

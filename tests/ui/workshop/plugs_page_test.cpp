@@ -20,32 +20,6 @@ using namespace v8_plugs;
 
 using units::gram;
 
-TEST_F(PlugsPageTest, AnswerIsThatOfTheShiftWhereItMatters) {
-    type("repair_piston_and_rings", u"4.3"_s);
-    const QString method = label("advice");
-    model->editPlugs(u"plug"_s, [](auto& input) {
-        input.plug.emplace();
-        input.plug->thread = Thread{22e-3, 1.5e-3};
-        input.plug->height = 14.01e-3;  // not the paper's
-        input.plug->cutter_diameter = 14e-3;
-    });
-    EXPECT_TRUE(model->plugs()->shift_that_matters());
-    EXPECT_NE(label("advice"), method);
-    EXPECT_TRUE(has(label("advice"), u"off each of the 8 steel plugs"_s));
-    EXPECT_TRUE(begins(label("boring"), u"Bore with a cutter of 14"_s));
-    EXPECT_TRUE(has(label("troubles"), u"it neglects the shift"_s));
-    // What is copied has the warning.
-    EXPECT_TRUE(model->optionResults().rows.at(0).constFirst().text.startsWith(u"! "_s));
-    EXPECT_TRUE(model->optionResults().rows.at(0).tip.contains(u"the method alone"_s));
-    EXPECT_TRUE(page.resultsAsText().contains(u"it neglects the shift"_s));
-    EXPECT_TRUE(page.resultsAsText().contains(model->boringText()));
-    model->editPlugs(u"excess"_s, [](auto& input) {
-        input.plug.reset();
-        input.typed_changes.repair_piston_and_rings = 0.1;
-    });
-    EXPECT_EQ(colour("advice"), Theme::instance().error());
-}
-
 TEST_F(PlugsPageTest, AnswerFollowsTyping) {
     fill({{"rod_big_end", "0,5"}, {"repair_piston_and_rings", "2"}, {"repair_bearing", "1.1"}});
     EXPECT_EQ(label("advice"), u"Take 1.83 g off each of the 8 steel plugs."_s);
