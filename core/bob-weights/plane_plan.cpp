@@ -122,15 +122,17 @@ class PlanePlanner {
         HoleLimits limits = limits_;
         limits.depth_step = 0.0;
         double from_depth = 0.0;
+        double angle = hole.angle;
         for (const Hole& there : there_) {
             if (there.depth < hole.depth && are_one_hole(there, hole, cut_.radius)) {
                 from_depth = there.depth;
+                angle = there.angle;
             } else {
                 take(there, cut_, limits);
             }
         }
-        return {room_at(hole.angle, cut_, hole.diameter, hole.depth, limits),
-                deepest_hole(hole.diameter, cut_, limits), from_depth};
+        return {room_at(angle, cut_, hole.diameter, hole.depth, limits),
+                deepest_hole(hole.diameter, cut_, limits), from_depth, angle};
     }
 
     Planned plan(Vector unbalance) const {
@@ -402,8 +404,9 @@ Vector effect_of(const Metal& metal) {
 }
 
 bool are_one_hole(const Hole& a, const Hole& b, double radius) {
+    constexpr double apart = 2.0 * units::mm;  // more than a degree at the rim
     return a.diameter == b.diameter &&
-           radius * std::abs(std::remainder(a.angle - b.angle, 2.0 * pi)) < 0.5 * a.diameter;
+           radius * std::abs(std::remainder(a.angle - b.angle, 2.0 * pi)) < apart;
 }
 
 TriedRoom room_for(const Hole& hole, const Plane& plane, const Correction& correction,

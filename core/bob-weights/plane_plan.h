@@ -12,7 +12,8 @@ namespace ravnoves::bob_weights {
 /// What the metal of a plane adds to its unbalance.
 std::complex<double> effect_of(const Metal& metal);
 
-/// Whether two holes of a plane are one: an angle that was measured is not quite the one planned.
+/// Whether two holes of a plane are one: an angle that was measured is not quite the one planned,
+/// and no drill runs far beside the hole that it deepens.
 bool are_one_hole(const Hole& a, const Hole& b, double radius);
 
 /// Whether a hole that somebody thinks of has room by the rules of the plan, but for the steps of
@@ -21,6 +22,7 @@ struct TriedRoom {
     NoRoom missing;
     double maximum_depth;  ///< m
     double from_depth;     ///< of the hole there that it deepens, m; 0 for a new one
+    double angle;          ///< of the hole there, else its own, rad
 };
 /// @param before  as below
 TriedRoom room_for(const Hole& hole, const Plane& plane, const Correction& correction,

@@ -439,7 +439,7 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
     const double before_it =
         room.from_depth > 0.0 ? cut.removed(diameter, room.from_depth).unbalance : 0.0;
     const double taken = cut.removed(diameter, depth).unbalance - before_it;
-    const Vector left = vector_of(*newest->planes[i]) - std::polar(taken, angle);
+    const Vector left = vector_of(*newest->planes[i]) - std::polar(taken, room.angle);
     return Remaining{
         std::abs(left), turn_of(std::arg(left)),
         shop::is_within(std::abs(left), result.permissible ? std::optional((*result.permissible)[i])

@@ -361,6 +361,7 @@ void CorrectionSheet::addHole(bool isBefore) {
     hole.state = HoleState::measured;
     if (const auto left = isBefore ? std::nullopt : tried()) {
         hole.from_depth = left->room.from_depth;
+        hole.angle = left->room.angle;
     }
     whatIf_ = {whatIf_.plane, {}, {}, {}};
     whatIfFields_.first()->setFocus(Qt::OtherFocusReason);  // the button goes grey

@@ -437,6 +437,8 @@ TEST(Plan, JudgesAHoleThatIsTriedByItsOwnRules) {
     // One that is there may be deepened, by another drill not.
     EXPECT_EQ(missing(101, 29), NoRoom::none);
     EXPECT_EQ(room(0.016, 0.029, 101 * degree).from_depth, 0.028);
+    EXPECT_NEAR(room(0.016, 0.029, 101 * degree).angle, 100 * degree, 1e-12) << "of the hole there";
+    EXPECT_EQ(missing(104, 29), NoRoom::beside_hole) << "5.9 mm away";
     EXPECT_EQ(missing(100, 28), NoRoom::beside_hole);
     EXPECT_EQ(room(0.010, 0.029, 100 * degree).missing, NoRoom::beside_hole);
     const auto left = [&](double angle) {
