@@ -17,7 +17,7 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
     const bool is_recorded = !before[0].holes.empty() || !before[1].holes.empty();
     for (std::size_t i = 0; i < holes.size(); ++i) {
         const DrilledHole& hole = holes[i];
-        if (hole.state == HoleState::not_drilled || !hole.depths_agree()) {
+        if (hole.state == HoleState::not_drilled) {
             continue;
         }
         const auto plane = static_cast<std::size_t>(hole.plane);
@@ -28,14 +28,25 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
         made.is_axial = hole.is_slug() && hole.direction == SlugDirection::axial;
         const Cut cut{radius, drill.density, drill.point_angle, std::nullopt,
                       made.is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
+        // By the record, which may have been corrected since it was planned.
+        std::optional<double> there;
+        const Metal* const all[] = {&before[plane], &drilled[plane]};
+        for (const Metal* metal : all) {
+            for (const Hole& each : metal->holes) {
+                if (are_one_hole(each, made, radius)) {
+                    there = std::max(there.value_or(0.0), each.depth);
+                }
+            }
+        }
         // Elsewhere than the hole that it was to deepen it is a new one, gone in all its depth.
         // Where no hole is recorded there was one all the same.
-        const auto is_it = [&](const Hole& each) { return are_one_hole(each, made, radius); };
         const bool is_elsewhere =
-            hole.state == HoleState::wrong_side ||
-            (is_measured && is_recorded && std::ranges::none_of(before[plane].holes, is_it) &&
-             std::ranges::none_of(drilled[plane].holes, is_it));
-        made.from_depth = is_elsewhere ? 0.0 : hole.from_depth;
+            hole.state == HoleState::wrong_side || (is_measured && is_recorded && !there);
+        const bool is_deeper = hole.from_depth > 0.0 && !is_elsewhere;
+        made.from_depth = is_deeper ? there.value_or(hole.from_depth) : 0.0;
+        if (is_deeper && made.depth <= made.from_depth) {
+            continue;
+        }
         // What the hole alone took off, by its sizes.
         Removed removed = cut.removed(hole.diameter, hole.depth);
         if (made.from_depth > 0.0) {

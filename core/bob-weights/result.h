@@ -30,8 +30,11 @@ struct Metal {
 struct OtherEffect {
     double expected;         ///< unbalance that it was to leave, kg·m
     double expected_angle;   ///< rad, 0…2π
+    std::size_t since;       ///< the run that it was drilled after
+    bool is_drilled;         ///< false: the record has no metal
     bool is_large;           ///< so that no plan can rest on it
     bool is_opposite;        ///< it acted the other way: the unbalance grew
+    bool is_at_light_spot;   ///< it acted the other way: the unbalance was to grow, and fell
     bool is_in_other_plane;  ///< each plane changed as the other one was to
 };
 
@@ -53,8 +56,9 @@ struct RunResult {
 
     /// Of an earlier run: the plan for each plane, taken as drilled as planned.
     std::array<Metal, 2> drilled;
+    bool is_recorded = false;  ///< false where the record is unknown, or of another crankshaft
 
-    /// In each plane, for the metal drilled after the previous run.
+    /// In each plane, for the metal drilled since the run that was read whole before it.
     std::array<std::optional<OtherEffect>, 2> other_effect;
 
     bool is_read() const { return planes[0] || planes[1]; }

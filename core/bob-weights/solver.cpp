@@ -144,17 +144,19 @@ Vector vector_of(const RunResult::InPlane& read) {
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
-/// a tenth of that and by more than the limit, beyond which it is still; by more than 0.35 it is
+/// the limit, beyond which it is still, or without one by a tenth of that; by more than 0.35 it is
 /// large. A plane that was to be within the limit, and is, is as meant. Where nothing was drilled,
 /// no more than that of what was there changes.
+/// @param drilled  after the run at `since` and before the one after
 std::array<std::optional<OtherEffect>, 2> other_effects(
-    const RunResult& before, const RunResult& after,
-    const std::optional<std::array<double, 2>>& permissible) {
+    const std::vector<RunResult>& runs, std::size_t since, const std::array<Metal, 2>& drilled,
+    const RunResult& after, const std::optional<std::array<double, 2>>& permissible) {
     std::array<std::optional<OtherEffect>, 2> found;
-    if (!before.has_vectors() || !after.has_vectors() || !before.holds() || !after.holds()) {
+    const RunResult& before = runs[since];
+    if (!before.holds() || !after.holds()) {
         return found;
     }
-    const std::array<Vector, 2> meant{effect_of(before.drilled[0]), effect_of(before.drilled[1])};
+    const std::array<Vector, 2> meant{effect_of(drilled[0]), effect_of(drilled[1])};
     const double maximum = std::max(std::abs(meant[0]), std::abs(meant[1]));
     bool is_in_other_plane = true;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -170,14 +172,14 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
         const bool is_within = is_drilled && std::abs(is) <= limit;
         const bool is_large =
             off > std::max(0.35 * whole, limit) && !(is_within && std::abs(expected) <= limit);
-        const bool is_beside = is_drilled && !is_within && off > std::max(0.1 * whole, limit);
-        if (!is_large && !is_beside) {
+        if (!is_large && (is_within || off <= (permissible ? limit : 0.1 * whole))) {
             continue;
         }
+        const bool is_turned = is_drilled && std::real((is - was) / meant[i]) < -0.5;
+        const bool is_grown = std::abs(is) > std::abs(was);
         found[i] = {
-            std::abs(expected), turn_of(std::arg(expected)), is_large,
-            is_drilled && std::real((is - was) / meant[i]) < -0.5 && std::abs(is) > std::abs(was),
-            false};
+            std::abs(expected),    turn_of(std::arg(expected)),        since, is_drilled, is_large,
+            is_turned && is_grown, is_turned && !is_grown && is_large, false};
     }
     for (auto& each : found) {
         if (each && each->is_large) {
@@ -201,6 +203,8 @@ void solve_correction(const Input& input, Result& result) {
     const auto limit = [&](std::size_t i) {
         return result.permissible ? std::optional((*result.permissible)[i]) : std::nullopt;
     };
+    std::optional<std::size_t> whole;  // the last run that was read whole
+    std::array<Metal, 2> since;        // drilled after it
     const auto add_run = [&](const std::vector<Reading>& readings) {
         RunResult run;
         const auto read = [&](std::size_t i, double unbalance, const std::optional<double>& angle) {
@@ -230,8 +234,13 @@ void solve_correction(const Input& input, Result& result) {
                 run.read_on = shop::other_shaft(reading.shaft, input.job);
             }
         }
-        if (!result.runs.empty()) {
-            run.other_effect = other_effects(result.runs.back(), run, result.permissible);
+        if (run.has_vectors()) {
+            if (whole) {
+                run.other_effect =
+                    other_effects(result.runs, *whole, since, run, result.permissible);
+            }
+            whole = result.runs.size();
+            since = {};
         }
         result.runs.push_back(std::move(run));
     };
@@ -247,10 +256,12 @@ void solve_correction(const Input& input, Result& result) {
         // Holes of another crankshaft are not in this one; after readings of another bob weight
         // those alone that were drilled before it changed.
         if (earlier.drilled && !run.read_on && correction.planes.size() == 2) {
+            run.is_recorded = true;
             run.drilled = recorded(*earlier.drilled, correction, at, before);
         }
         for (std::size_t i = 0; i < 2; ++i) {
             join(before[i], run.drilled[i]);
+            join(since[i], run.drilled[i]);
         }
     }
     add_run(correction.readings);

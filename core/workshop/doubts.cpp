@@ -39,6 +39,10 @@ Number millimetres(double length) {
     return {length / units::mm, units::mm, -1};
 }
 
+Number in_degrees(double angle) {
+    return {bob_weights::turn_of(angle) / units::degree, units::degree, -1};
+}
+
 bool differ(double a, double b, double times) {
     return a > 0.0 && b > 0.0 && std::abs(std::log(a / b)) > std::log(times);
 }
@@ -86,6 +90,14 @@ struct DoubtSearch {
     }
     Message plane_name(std::size_t plane) const {
         return shop::plane_title(input.machine.planes, plane);
+    }
+    /// "Run 1, Front plane"
+    Message at_run(std::size_t run, std::size_t plane) const {
+        const std::size_t first = bob_weights::first_run(input.correction);
+        return {run < first    ? Text::tr("Older holes, %1")
+                : run == first ? Text::tr("Before, %1")
+                               : Text::tr("Run %2, %1"),
+                plane_name(plane), Number{static_cast<double>(run) - static_cast<double>(first)}};
     }
     /// Of the rim that is drilled.
     std::optional<double> radius(std::size_t plane) const {
@@ -444,20 +456,78 @@ double lengthened(const bob_weights::RunResult& run, const bob_weights::EarlierR
     return std::real(effect_of(planned) * std::polar(1.0, -*run.planes[plane]->angle));
 }
 
+/// Calls `visit` with what runs read of the drilling before them, where it did something else.
+void for_other_effects(const DoubtSearch& job, std::size_t plane, const auto& visit) {
+    for (std::size_t run = 0; run < job.shaft.runs.size(); ++run) {
+        if (const auto& other = job.shaft.runs[run].other_effect[plane]) {
+            visit(run, *other);
+        }
+    }
+}
+
+/// A run that says nothing of the holes before it and after it lets them be drilled twice.
+void incomplete_run(DoubtSearch& job) {
+    const bob_weights::RunResult* newest = job.shaft.newest();
+    if (newest == nullptr || !newest->has_vectors()) {
+        return;
+    }
+    bool is_begun = false;  // holes that were there before have no readings
+    for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
+        const auto& readings = job.input.correction->earlier_runs[at].readings;
+        is_begun = is_begun || std::ranges::any_of(readings, bob_weights::has_number);
+        for (std::size_t i = 0; is_begun && job.shaft.runs[at].holds() && i < readings.size();
+             ++i) {
+            if (!is_read(readings[i])) {
+                job.say(readings[i].unbalance ? Text::tr("%1: enter the angle.")
+                                              : Text::tr("%1: enter the unbalance."),
+                        job.at_run(at, i));
+            }
+        }
+    }
+}
+
+/// A hole that was deepened to less than its depth before took off nothing that is known.
+void shallower_hole(DoubtSearch& job) {
+    for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
+        const auto& record = job.input.correction->earlier_runs[at].drilled;
+        for (std::size_t k = 0; record && job.shaft.runs[at].is_recorded && k < record->size();
+             ++k) {
+            const bob_weights::DrilledHole& hole = (*record)[k];
+            const auto plane = static_cast<std::size_t>(hole.plane);
+            const auto& counted = job.shaft.runs[at].drilled[plane];
+            const auto is_it = [&](const bob_weights::Hole& each) {
+                return each.deepens == bob_weights::Hole::Place{at, k};
+            };
+            if (hole.state != bob_weights::HoleState::not_drilled &&
+                std::ranges::none_of(counted.holes, is_it) &&
+                std::ranges::none_of(counted.slugs, is_it)) {
+                job.say(Text::tr("%1: the hole of ⌀ %2 at %3 is %4 deep after deepening, which is "
+                                 "not deeper than before. Correct its depth."),
+                        job.at_run(at, plane), millimetres(hole.diameter),
+                        in_degrees(hole.turned(hole.angle)), millimetres(hole.depth));
+            }
+        }
+    }
+}
+
 /// Holes are planned at the heavy spot: where they are opposite it now, what the machine shows has
-/// been changed since.
+/// been changed since. Where they were measured there, the next run tells.
 void drilled_at_light_spot(DoubtSearch& job) {
     for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
         const bob_weights::RunResult& run = job.shaft.runs[at];
         const bob_weights::EarlierRun& earlier = job.input.correction->earlier_runs[at];
-        // What was planned from another reading is no witness.
-        for (std::size_t i = 0; run.has_vectors() && earlier.drilled_by.empty() && i < 2; ++i) {
-            if (lengthened(run, earlier, i) > 0.0) {
+        for (std::size_t i = 0; run.has_vectors() && i < 2; ++i) {
+            // What was planned from another reading is no witness.
+            bool is_opposite = earlier.drilled_by.empty() && lengthened(run, earlier, i) > 0.0;
+            for_other_effects(job, i, [&](std::size_t, const bob_weights::OtherEffect& other) {
+                is_opposite = is_opposite || (other.since == at && other.is_at_light_spot);
+            });
+            if (is_opposite) {
                 const auto& read = *run.planes[i];
-                job.say(
-                    Text::tr("%1: the holes drilled after %2 are opposite this heavy spot. Check "
-                             "whether the machine shows the heavy or the light spot."),
-                    job.plane_name(i), job.reading(read.unbalance, *read.angle));
+                job.say(Text::tr("%1: the holes drilled after %2 are opposite this heavy spot. "
+                                 "Check their angles, and whether the machine shows the heavy or "
+                                 "the light spot."),
+                        job.at_run(at, i), job.reading(read.unbalance, *read.angle));
             }
         }
     }
@@ -482,38 +552,70 @@ void drilled_counting_otherwise(DoubtSearch& job) {
     }
 }
 
-/// Where it is not so much that the plan is wrong, a hole of another depth would be drilled twice.
+/// Where it is not so much that the plan is wrong, a hole of another depth would be drilled twice;
+/// of that the newest run tells.
 template <bool is_large>
 void drilled_otherwise(DoubtSearch& job) {
-    const auto& runs = job.shaft.runs;
     for (const std::size_t i : planes) {
-        if (runs.size() < 2 || !runs.back().other_effect[i] ||
-            runs.back().contradicts(i) != is_large) {
-            continue;
+        for_other_effects(job, i, [&](std::size_t run, const bob_weights::OtherEffect& other) {
+            const bool is_newest = run + 1 == job.shaft.runs.size();
+            if (other.is_large != is_large || other.is_at_light_spot ||
+                (!is_large && !(is_newest && other.is_drilled))) {
+                return;
+            }
+            const Text text =
+                !is_large ? Text::tr(
+                                "%1: residual %2 after drilling instead of %3. Check the actual "
+                                "angle and depth of the holes before drilling again.")
+                : other.is_in_other_plane
+                    ? Text::tr(
+                          "%1: residual %2 after drilling instead of %3, as if the holes were "
+                          "in the other plane. Enter the actual plane of each hole.")
+                : other.is_opposite
+                    ? Text::tr(
+                          "%1: drilling increased the unbalance to %2 instead of %3. Mark "
+                          "holes on the wrong side, or check whether the machine shows the "
+                          "light spot.")
+                : !other.is_drilled
+                    ? Text::tr(
+                          "%1: %2 instead of %3, but no hole is recorded. Enter the holes "
+                          "drilled, or check crankshaft and machine.")
+                    : Text::tr(
+                          "%1: residual %2 after drilling instead of %3. Check the actual "
+                          "holes: angle, depth, zero mark and direction of degrees.");
+            const auto& read = *job.shaft.runs[run].planes[i];
+            job.say(text, job.at_run(run, i), job.reading(read.unbalance, *read.angle),
+                    job.reading(other.expected, other.expected_angle));
+        });
+    }
+}
+
+/// What the holes do not explain may be their depth: deepened by the record they would take off too
+/// much, and that cannot be undone.
+void deepens_unmeasured(DoubtSearch& job) {
+    const auto& planned = job.shaft.correction;
+    for (std::size_t i = 0; planned && job.shaft.permissible && i < 2; ++i) {
+        for (const bob_weights::Hole& hole : (*planned)[i].holes) {
+            if (hole.from_depth == 0.0 ||
+                (*job.input.correction->earlier_runs[hole.deepens->run].drilled)[hole.deepens->hole]
+                        .state == bob_weights::HoleState::measured) {
+                continue;
+            }
+            std::optional<std::size_t> unexplained;
+            for_other_effects(job, i, [&](std::size_t run, const bob_weights::OtherEffect&) {
+                unexplained = run > hole.deepens->run ? std::optional(run) : unexplained;
+            });
+            if (unexplained) {
+                const bob_weights::RunResult& run = job.shaft.runs[*unexplained];
+                const auto& read = *run.planes[i];
+                const auto& other = *run.other_effect[i];
+                job.say(Text::tr("%1: residual %2 after drilling instead of %3. Measure the depth "
+                                 "of the hole at %4 before deepening it, and record it as "
+                                 "measured."),
+                        job.at_run(*unexplained, i), job.reading(read.unbalance, *read.angle),
+                        job.reading(other.expected, other.expected_angle), in_degrees(hole.angle));
+            }
         }
-        const auto& now = *runs.back().planes[i];
-        const auto& other = *runs.back().other_effect[i];
-        const Text text =
-            !is_large ? Text::tr(
-                            "%1: residual %2 after drilling instead of %3. Check the actual "
-                            "angle and depth of the holes before drilling again.")
-            : other.is_in_other_plane
-                ? Text::tr(
-                      "%1: residual %2 after drilling instead of %3, as if the holes were in "
-                      "the other plane. Enter the actual plane of each hole.")
-            : other.is_opposite
-                ? Text::tr(
-                      "%1: drilling increased the unbalance to %2 instead of %3. Mark holes "
-                      "on the wrong side, or check whether the machine shows the light spot.")
-            : runs[runs.size() - 2].drilled[i].empty()
-                ? Text::tr(
-                      "%1: %2 instead of %3, but no hole is recorded. Enter the holes "
-                      "drilled, or check crankshaft and machine.")
-                : Text::tr(
-                      "%1: residual %2 after drilling instead of %3. Check the actual holes: "
-                      "angle, depth, zero mark and direction of degrees.");
-        job.say(text, job.plane_name(i), job.reading(now.unbalance, *now.angle),
-                job.reading(other.expected, other.expected_angle));
     }
 }
 
@@ -860,11 +962,48 @@ void beyond_sector(DoubtSearch& job) {
     }
 }
 
-/// A rim that is whole is said to be so.
+/// A recorded hole where none may be has another angle, or the sector is another.
+void outside_sector(DoubtSearch& job) {
+    for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
+        for (const std::size_t i : planes) {
+            const bob_weights::Metal& metal = job.shaft.runs[at].drilled[i];
+            const auto check = [&](const bob_weights::Hole& hole) {
+                const bob_weights::Plane& plane = job.input.correction->planes[i];
+                bob_weights::HoleLimits limits{};
+                if (plane.from_angle && plane.to_angle) {
+                    limits.sector = {*plane.from_angle, *plane.to_angle};
+                }
+                // A deepened one was there before.
+                if (hole.from_depth == 0.0 && !limits.allows(hole.angle)) {
+                    job.say(Text::tr("%1: the recorded hole at %2 is outside the drilling sector. "
+                                     "Check both."),
+                            job.at_run(at, i), in_degrees(hole.angle));
+                }
+            };
+            std::ranges::for_each(metal.holes, check);
+            std::ranges::for_each(metal.slugs, check);
+        }
+    }
+}
+
+/// A rim that is whole is said to be so; of half a sector nobody knows which half is meant.
+template <bool is_half>
 void all_round(DoubtSearch& job) {
     const auto& planned = job.shaft.correction;
     for (std::size_t i = 0; planned && i < 2; ++i) {
-        if (!job.input.correction->planes[i].from_angle && !(*planned)[i].holes.empty()) {
+        const bob_weights::Plane& plane = job.input.correction->planes[i];
+        const bool is_given = plane.from_angle || plane.to_angle;
+        if ((plane.from_angle && plane.to_angle) || is_given != is_half ||
+            !(is_half ? (*planned)[i].is_planned() : !(*planned)[i].holes.empty())) {
+            continue;
+        }
+        if (is_half) {
+            job.say(
+                Text::tr("%1: enter “%2”, the other end of the drilling sector."),
+                job.plane_name(i),
+                (plane.from_angle ? bob_weights::field::to_angle : bob_weights::field::from_angle)
+                    .label);
+        } else {
             job.say(Text::tr("%1: enter the drilling sector, or 0 to 360° for a whole rim."),
                     job.plane_name(i));
         }
@@ -916,11 +1055,15 @@ std::span<const DoubtRule> doubt_rules() {
         {"great-reading", error, judged, "", great_reading},
         {"service-speed", error, judged, "", service_speed},
         {"bearings", error, judged, "", bearings},
+        {"incomplete-run", error, judged, "", incomplete_run},
+        {"half-sector", error, judged, "", all_round<true>},
+        {"shallower-hole", error, judged, drilled_act, shallower_hole},
         {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-too-deep", error, judged, drilled_act, drilled_too_deep<true>},
         {"swapped-planes", error, judged, "", swapped_planes<true>},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise<true>},
+        {"deepens-unmeasured", error, judged, drilled_act, deepens_unmeasured},
         {"drilled-beside-plan", warning, nothing, drilled_act, drilled_otherwise<false>},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
@@ -937,8 +1080,9 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-deep", warning, nothing, "", drilled_too_deep<false>},
         {"left-and-right", warning, nothing, "", swapped_planes<false>},
         {"beyond-sector", warning, nothing, "", beyond_sector},
+        {"outside-sector", warning, nothing, drilled_act, outside_sector},
         {"short-slug", warning, nothing, "", short_slugs},
-        {"all-round", warning, nothing, "", all_round},
+        {"all-round", warning, nothing, "", all_round<false>},
     };
     return rules;
 }

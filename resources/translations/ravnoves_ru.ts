@@ -9185,8 +9185,44 @@
         <translation>не указывается, если заданы заглушки</translation>
     </message>
     <message>
-        <source>%1: the holes drilled after %2 are opposite this heavy spot. Check whether the machine shows the heavy or the light spot.</source>
-        <translation>%1: отверстия, просверленные после показания %2, находятся напротив этого тяжёлого места. Проверьте, тяжёлое или лёгкое место показывает станок.</translation>
+        <source>%1: the holes drilled after %2 are opposite this heavy spot. Check their angles, and whether the machine shows the heavy or the light spot.</source>
+        <translation>%1: отверстия, просверленные после показания %2, находятся напротив этого тяжёлого места. Проверьте их углы, а также тяжёлое или лёгкое место показывает станок.</translation>
+    </message>
+    <message>
+        <source>Older holes, %1</source>
+        <translation>Прежние отверстия, %1</translation>
+    </message>
+    <message>
+        <source>Before, %1</source>
+        <translation>Исходно, %1</translation>
+    </message>
+    <message>
+        <source>Run %2, %1</source>
+        <translation>Пуск %2, %1</translation>
+    </message>
+    <message>
+        <source>%1: enter the angle.</source>
+        <translation>%1: введите угол.</translation>
+    </message>
+    <message>
+        <source>%1: enter the unbalance.</source>
+        <translation>%1: введите дисбаланс.</translation>
+    </message>
+    <message>
+        <source>%1: the hole of ⌀ %2 at %3 is %4 deep after deepening, which is not deeper than before. Correct its depth.</source>
+        <translation>%1: отверстие ⌀ %2 на %3 после углубления имеет глубину %4, то есть не глубже прежнего. Исправьте его глубину.</translation>
+    </message>
+    <message>
+        <source>%1: residual %2 after drilling instead of %3. Measure the depth of the hole at %4 before deepening it, and record it as measured.</source>
+        <translation>%1: остаток после сверления %2 вместо %3. Прежде чем углублять отверстие на %4, измерьте его глубину и запишите её по измерению.</translation>
+    </message>
+    <message>
+        <source>%1: the recorded hole at %2 is outside the drilling sector. Check both.</source>
+        <translation>%1: записанное отверстие на %2 находится вне сектора сверления. Проверьте отверстие и сектор.</translation>
+    </message>
+    <message>
+        <source>%1: enter “%2”, the other end of the drilling sector.</source>
+        <translation>%1: введите «%2», другую границу сектора сверления.</translation>
     </message>
     <message>
         <source>Drilling radii of %1 and %2: one looks like a diameter. Check both.</source>

@@ -306,6 +306,10 @@ void CorrectionSheet::addHoleRow() {
     QComboBox* plane = choiceOf(field::drilled_plane, &DrilledHole::plane, "drilled_plane",
                                 {QString(), QString()}, 64, measure);
     NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
+    doubt(depth, [present] {
+        const DrilledHole* hole = present();
+        return hole != nullptr && !hole->depths_agree();
+    });
     NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
     QStringList states;
     for (const Word& word : state_words) {

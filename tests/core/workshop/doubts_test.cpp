@@ -349,6 +349,126 @@ TEST(Doubts, StopWhereTheRecordedHoleDoesNotExplainThePass) {
     EXPECT_EQ(doubts("front", 3, 116), 0U);
 }
 
+/// Drilled after two runs, all of it measured.
+Json twice_drilled() {
+    Json input = card();
+    input["tolerance"] = {{"grade_mm_s", 16}, {"rotor_mass_kg", 32}, {"service_speed_rpm", 6000}};
+    Json& correction = input["correction"];
+    correction["planes"][1]["radius_mm"] = 85;
+    correction["earlier_runs"] = parse_json(R"([
+        {"readings": [{"unbalance_g_mm": 2600, "angle_deg": 75},
+                      {"unbalance_g_mm": 1450, "angle_deg": 210}],
+         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 15, "angle_deg": 75,
+                      "state": "measured"},
+                     {"plane": "rear", "diameter_mm": 16, "depth_mm": 10, "angle_deg": 210,
+                      "state": "measured"}]},
+        {"readings": [{"unbalance_g_mm": 610, "angle_deg": 75},
+                      {"unbalance_g_mm": 95, "angle_deg": 70}],
+         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 16, "from_depth_mm": 15,
+                      "angle_deg": 75, "state": "measured"}]}])");
+    correction["readings"] = parse_json(R"([{"unbalance_g_mm": 480, "angle_deg": 80},
+                                            {"unbalance_g_mm": 90, "angle_deg": 72}])");
+    return input;
+}
+
+/// Kinds and texts of the doubts of a job as the form has it.
+std::vector<std::pair<std::string_view, std::string>> doubts_of(const Json& input) {
+    std::vector<std::pair<std::string_view, std::string>> list;
+    for (const Doubt& doubt : solve(read_input(input, Completeness::as_is)).doubts) {
+        list.emplace_back(doubt.rule->word, doubt.text.english());
+    }
+    return list;
+}
+
+TEST(Doubts, CompareEveryRunWithTheOneBeforeIt) {
+    EXPECT_TRUE(doubts_of(twice_drilled()).empty());
+    const auto expect = [](const test::Changes& changes, std::string_view kind,
+                           std::string_view beginning) {
+        const auto doubts = doubts_of(changed(twice_drilled(), changes));
+        ASSERT_FALSE(doubts.empty()) << beginning;
+        EXPECT_EQ(doubts[0].first, kind) << doubts[0].second;
+        EXPECT_TRUE(doubts[0].second.starts_with(beginning)) << doubts[0].second;
+    };
+    const char* const runs = "/correction/earlier_runs/";
+    const auto of_run = [&](const std::string& place) { return runs + place; };
+    const std::string rear = of_run("0/drilled/1/");
+    expect({{"/machine/shows", "light"}}, "drilled-at-light-spot",
+           "Before, Front plane: the holes drilled after 2600.0 g·mm ∠ 75.0° are opposite");
+    expect({{(rear + "angle_deg").c_str(), 30}}, "drilled-at-light-spot",
+           "Before, Rear plane: the holes drilled after 1450.0 g·mm ∠ 210.0° are opposite");
+    expect({{(rear + "depth_mm").c_str(), 0}}, "drilled-otherwise",
+           "Run 1, Rear plane: residual 95.0 g·mm ∠ 70.0° after drilling instead of");
+    expect({{(rear + "state").c_str(), "not-drilled"}}, "drilled-otherwise",
+           "Run 1, Rear plane: 95.0 g·mm ∠ 70.0° instead of 1450.0 g·mm ∠ 210.0°, but no hole");
+    // What is missing is asked for, and a run without readings is none to compare with.
+    const std::string read = of_run("1/readings");
+    expect({{(read + "/0/angle_deg").c_str(), nullptr}}, "incomplete-run",
+           "Run 1, Front plane: enter the angle.");
+    expect({{read.c_str(), {Json::object(), Json::object()}}}, "incomplete-run",
+           "Run 1, Front plane: enter the unbalance.");
+    EXPECT_TRUE(doubts_of(changed(twice_drilled(), {{read.c_str(), nullptr}})).empty());
+    expect({{read.c_str(), nullptr}, {(rear + "angle_deg").c_str(), 30}}, "drilled-at-light-spot",
+           "Before, Rear plane");
+    // Readings without an angle have a verdict where nothing is planned.
+    EXPECT_TRUE(doubts_of(changed(twice_drilled(), {{(read + "/0/angle_deg").c_str(), nullptr},
+                                                    {"/correction/readings/0/angle_deg", nullptr}}))
+                    .empty());
+    // A deepened hole is deeper than before.
+    expect({{of_run("1/drilled/0/depth_mm").c_str(), 14}}, "shallower-hole",
+           "Run 1, Front plane: the hole of ⌀ 16.0 mm at 75.0° is 14.0 mm deep");
+}
+
+TEST(Doubts, EndWhereARunIsExplained) {
+    const auto front = [](double unbalance_g_mm) {
+        return Json{{"unbalance_g_mm", unbalance_g_mm}, {"angle_deg", 75}};
+    };
+    for (const auto& [state, between] : {std::pair("wrong-side", 4500), {"not-drilled", 2590}}) {
+        Json input = twice_drilled();
+        Json& correction = input["correction"];
+        Json& runs = correction["earlier_runs"];
+        runs[1]["drilled"][0] = runs[0]["drilled"][0];
+        runs[1]["readings"][0] = front(between);
+        correction["readings"][0] = front(between - 1950);
+        EXPECT_FALSE(doubts_of(input).empty()) << state;
+        runs[0]["drilled"][0]["state"] = state;
+        EXPECT_TRUE(doubts_of(input).empty()) << state << doubts_of(input)[0].second;
+    }
+}
+
+TEST(Doubts, StopBeforeAHoleOfUnknownDepthIsDeepened) {
+    Json input = twice_drilled();
+    Json& correction = input["correction"];
+    correction["readings"] = correction["earlier_runs"][1]["readings"];
+    correction["earlier_runs"].erase(1);
+    Json& hole = correction["earlier_runs"][0]["drilled"][0];
+    hole["depth_mm"] = 20.7;
+    hole["state"] = "as-planned";
+    auto doubts = doubts_of(input);
+    ASSERT_FALSE(doubts.empty());
+    EXPECT_EQ(doubts[0].first, "deepens-unmeasured");
+    EXPECT_TRUE(doubts[0].second.starts_with("Run 1, Front plane: residual 610.0 g·mm ∠ 75.0°"));
+    EXPECT_NE(doubts[0].second.find("the hole at 75.0°"), std::string::npos) << doubts[0].second;
+    // It is that deep, whatever the machine reads.
+    hole["state"] = "measured";
+    doubts = doubts_of(input);
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_EQ(doubts[0].first, "drilled-beside-plan");
+    hole["depth_mm"] = 15;
+    EXPECT_TRUE(doubts_of(input).empty());
+}
+
+TEST(Doubts, OfHalfASectorNameTheOtherEnd) {
+    for (const auto& [missing, name] :
+         {std::pair("from_deg", "“Drill from”"), {"to_deg", "“Drill to”"}}) {
+        Json input = card();
+        input["correction"]["planes"][1].erase(missing);
+        const auto doubts = doubts_of(input);
+        ASSERT_EQ(doubts.size(), 1U);
+        EXPECT_EQ(doubts[0].first, "half-sector");
+        EXPECT_TRUE(doubts[0].second.starts_with("Rear plane: enter " + std::string(name)));
+    }
+}
+
 TEST(Doubts, NoneOfAHoleAsDeepAsIsPermitted) {
     Json input = card();
     input["correction"]["earlier_runs"] = Json::parse(

@@ -355,6 +355,11 @@ TEST(Plan, CountsADeepeningWhereItWasDrilled) {
                   "/correction/earlier_runs/" + std::to_string(there) + "/drilled/0");
     };
     expect(40, 10, difference, 1);
+    // The hole that is deepened was found to be deeper than planned.
+    Json& deepened = input["correction"]["earlier_runs"][0]["drilled"][0];
+    deepened["depth_mm"] = 11;
+    expect(40, 11, whole - 1e6 * cut.removed(0.016, 0.011).unbalance, 1);
+    deepened["depth_mm"] = 10;
     // An angle that was measured is not quite the one planned.
     deepening["state"] = "measured";
     deepening["angle_deg"] = 40.04;

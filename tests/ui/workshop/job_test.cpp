@@ -1199,6 +1199,12 @@ TEST_F(CardJobTest, RunsFollowOneAnother) {
     type("run_1_unbalance_1", u"350"_s);
     EXPECT_FALSE(model->solution().correction) << "its readings are not all there";
     EXPECT_TRUE(has(label("troubles"), u"Sheet 5, Run 1, Front plane: enter the angle"_s));
+    // Else it is not deepened, for the run does not show its depth.
+    model->editCorrection({}, [](Correction& correction) {
+        for (DrilledHole& hole : *correction.earlier_runs[0].drilled) {
+            hole.state = HoleState::measured;
+        }
+    });
     fill({{"run_1_angle_1", "80"}, {"run_1_unbalance_2", "120"}, {"run_1_angle_2", "200"}});
     EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
     EXPECT_EQ(place(), before);

@@ -109,7 +109,10 @@ TEST_F(DoubtedJobTest, HasNoHoleNoWeightAndNoPassAnywhere) {
         if (isDoubted(rule)) {
             expectNothingToDo(rule);
         } else {
-            EXPECT_TRUE(rule.word == "drilled-otherwise" || rule.word == "great-reading");
+            // Nothing is planned then, or what was drilled acted as it was to.
+            constexpr std::string_view lifted[] = {"drilled-otherwise", "great-reading",
+                                                   "half-sector", "deepens-unmeasured"};
+            EXPECT_NE(std::ranges::find(lifted, rule.word), std::end(lifted));
         }
     }
     EXPECT_GE(blocking, 10);
