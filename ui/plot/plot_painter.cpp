@@ -17,7 +17,6 @@ namespace ravnoves {
 
 using namespace painter_parts;
 using plot::Shape;
-using plot::Side;
 
 namespace {
 
@@ -69,9 +68,8 @@ void PlotPainter::layout(const QSizeF& size, const Margins& minimum, bool& axesS
     const bool resized = laidOut_ != size;
     laidOut_ = size;
     layoutArea(size, minimum);
-    const std::array placed{
-        data_.area.x(), data_.area.y(), data_.area.width(), data_.area.height(), data_.x.low,
-        data_.x.high,   data_.left.low, data_.left.high,    data_.right.low,     data_.right.high};
+    const std::array placed{data_.area.x(), data_.area.y(), data_.area.width(), data_.area.height(),
+                            data_.x.low,    data_.x.high,   data_.left.low,     data_.left.high};
     if (placed != placed_ || resized) {
         placed_ = placed;
         axesStale = true;
@@ -80,7 +78,6 @@ void PlotPainter::layout(const QSizeF& size, const Margins& minimum, bool& axesS
     if (axesStale) {
         chooseColumns(data_.x, data_.area.width());
         data_.left.chooseStep(data_.area.height(), chartRowPerTick());
-        data_.right.chooseStep(data_.area.height(), chartRowPerTick());
     }
     data_.thinCurves();
 }
@@ -92,25 +89,19 @@ PlotPainter::Margins PlotPainter::margins(const QSizeF& size) {
     const QFontMetricsF metrics(font);
     const double height = heightOfArea();
     // Of copies: the steps of the plot are those of its area, which these margins only lead to.
-    const auto margin = [&](PlotScale scale) {
-        // The ticks that the axis will get decide how many decimals the labels have.
-        scale.chooseStep(height, chartRowPerTick());
-        double widest = 0.0;
-        for (const double tick : scale.ticks(height, rowPerTick())) {
-            widest = std::max(widest, textWidth(font, scale.tickText(tick, data_.locale)));
-        }
-        const double title = scale.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap();
-        return std::ceil(widest + title + 2 * labelGap());
-    };
-    const double left = margin(data_.left);
-    const auto lastLabel = [&] {  // stands half beyond the axis
-        PlotScale x = data_.x;
-        chooseColumns(x, std::max(20.0, size_.width() - left));
-        return textWidth(font, x.tickText(x.high, data_.locale));
-    };
-    return {left, data_.sideUsed(Side::Right)
-                      ? margin(data_.right)
-                      : std::max(Theme::margin + 4.0, lastLabel() / 2.0 + labelGap())};
+    PlotScale y = data_.left;
+    PlotScale x = data_.x;
+    // The ticks that the axis will get decide how many decimals the labels have.
+    y.chooseStep(height, chartRowPerTick());
+    double widest = 0.0;
+    for (const double tick : y.ticks(height, rowPerTick())) {
+        widest = std::max(widest, textWidth(font, y.tickText(tick, data_.locale)));
+    }
+    const double title = y.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap();
+    const double left = std::ceil(widest + title + 2 * labelGap());
+    chooseColumns(x, std::max(20.0, size_.width() - left));
+    const double last = textWidth(font, x.tickText(x.high, data_.locale));  // half beyond the axis
+    return {left, std::max(Theme::margin + 4.0, last / 2.0 + labelGap())};
 }
 
 double PlotPainter::heightOfArea() const {
@@ -169,11 +160,8 @@ void PlotPainter::paintAxes(QPainter& painter) {
                                               Theme::instance().colour(band.role), band.strength));
     }
     paintGrid(painter);
-    paintAxis(painter, data_.x, Qt::BottomEdge);
-    paintAxis(painter, data_.left, Qt::LeftEdge);
-    if (data_.sideUsed(Side::Right)) {
-        paintAxis(painter, data_.right, Qt::RightEdge);
-    }
+    paintAxis(painter, data_.x, true);
+    paintAxis(painter, data_.left, false);
     paintGhosts(painter);
 }
 
@@ -191,21 +179,12 @@ void PlotPainter::paintGrid(QPainter& painter) const {
             strokes.append({x, area.bottom(), x, area.bottom() + stroke});
         }
     }
-    const auto addRows = [&](const PlotScale& scale, double from, double to, bool hasGrid) {
-        for (const double tick : scale.ticks(area.height(), rowPerTick())) {
-            const double y = area.bottom() - scale.fraction(tick) * area.height();
-            if (hasGrid) {
-                grid.append({area.left(), y, area.right(), y});
-            }
-            if (!scale.spec.logarithmic) {
-                strokes.append({from, y, to, y});
-            }
+    for (const double tick : data_.left.ticks(area.height(), rowPerTick())) {
+        const double y = area.bottom() - data_.left.fraction(tick) * area.height();
+        grid.append({area.left(), y, area.right(), y});
+        if (!data_.left.spec.logarithmic) {
+            strokes.append({area.left() - stroke, y, area.left(), y});
         }
-    };
-    addRows(data_.left, area.left() - stroke, area.left(), true);
-    if (data_.sideUsed(Side::Right)) {
-        strokes.append({area.topRight(), area.bottomRight()});
-        addRows(data_.right, area.right(), area.right() + stroke, false);
     }
     const auto draw = [&](const QColor& colour, const QList<QLineF>& lines) {
         for (const QLineF& line : lines) {
@@ -300,13 +279,11 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
     }
 }
 
-void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const {
+void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, bool flat) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
-    const bool flat = edge == Qt::BottomEdge;
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);
-    const double side = edge == Qt::RightEdge ? area.right() : area.left();
     painter.setFont(font);
     const std::vector<double> ticks =
         scale.ticks(flat ? area.width() : area.height(), flat ? columnPerTick() : rowPerTick());
@@ -322,7 +299,7 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge 
         } else {
             const double y = area.bottom() - scale.fraction(tick) * area.height();
             box.moveTop(y - metrics.height() / 2.0);
-            box.moveLeft(edge == Qt::LeftEdge ? side - labelGap() - wide : side + labelGap());
+            box.moveLeft(area.left() - labelGap() - wide);
         }
         // Of labels that would touch the first counts; a scale of its own has the weightiest first.
         const QRectF room = box.adjusted(-3.0, 0.0, 3.0, 0.0);
@@ -353,8 +330,7 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge 
         return;
     }
     painter.save();
-    painter.translate(
-        edge == Qt::LeftEdge ? labelGap() : size_.width() - labelGap() - metrics.height(), middle);
+    painter.translate(labelGap(), middle);
     painter.rotate(-90.0);
     painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, title);
     painter.restore();

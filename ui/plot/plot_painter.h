@@ -34,7 +34,7 @@ class PlotPainter {
   public:
     explicit PlotPainter(PlotData& data);
 
-    /// What axes need beside the chart, pixels.
+    /// What the y axis and the last number of x need beside the chart, pixels.
     struct Margins {
         double left = 0.0;
         double right = 0.0;
@@ -70,7 +70,7 @@ class PlotPainter {
     void paintBandWords(QPainter& painter, const plot::Band& band, LabelPlaces& places) const;
     QRectF shadeOf(const plot::Band& band) const;
     /// Numbers and title.
-    void paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
+    void paintAxis(QPainter& painter, const PlotScale& scale, bool flat) const;
     void paintGhosts(QPainter& painter) const;
     void paintShades(QPainter& painter) const;
     void paintPoints(QPainter& painter) const;
@@ -99,14 +99,14 @@ class PlotPainter {
     void paintRows(QPainter& painter, const std::vector<Row>& rows, const QPointF& at,
                    const QPointF& away, float opacity) const;
     QPointF pixel(const PlotCurve& curve, std::size_t point) const {
-        return data_.toPixel(curve.x[point], curve.y[point], curve.style.side);
+        return data_.toPixel(curve.x[point], curve.y[point]);
     }
     double across(double x) const { return data_.toPixel(x, data_.left.low).x(); }
 
     PlotData& data_;
     QSizeF size_;
     QSizeF laidOut_;
-    std::array<double, 10> placed_{};  ///< area and scales of the lines made last
+    std::array<double, 8> placed_{};  ///< area and scales of the lines made last
 };
 
 }  // namespace ravnoves

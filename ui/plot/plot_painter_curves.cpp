@@ -14,7 +14,6 @@ namespace ravnoves {
 
 using namespace painter_parts;
 using plot::Shape;
-using plot::Side;
 
 namespace {
 
@@ -143,19 +142,17 @@ std::optional<QPointF> PlotPainter::shrunkTo(const PlotCurve& curve) {
 void PlotPainter::paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
                             const QBrush& brush) const {
     const QRectF& area = data_.area;
-    const Side side = curve.style.side;
     painter.setPen(pen);
     painter.setBrush(brush);
     const auto corner = [&](double x, double y) {
         return QPointF(x, std::clamp(y, area.top(), area.bottom()));
     };
-    const double foot =
-        data_.scale(side).spec.logarithmic ? area.bottom() : data_.toPixel(0.0, 0.0, side).y();
+    const double foot = data_.left.spec.logarithmic ? area.bottom() : data_.toPixel(0.0, 0.0).y();
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
         const double middle = curve.x[i] + curve.style.barShift;
         const double half = 0.5 * curve.style.barWidth;
-        const QPointF left = data_.toPixel(middle - half, curve.y[i], side);
-        const QPointF right = data_.toPixel(middle + half, curve.y[i], side);
+        const QPointF left = data_.toPixel(middle - half, curve.y[i]);
+        const QPointF right = data_.toPixel(middle + half, curve.y[i]);
         painter.drawRect(QRectF(corner(left.x(), left.y()), corner(right.x(), foot)).normalized());
     }
 }
@@ -171,8 +168,8 @@ void PlotPainter::paintSpreads(QPainter& painter, const PlotCurve& curve) const 
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
         const auto [low, high] = data_.spreadAt(curve, i);
         const double middle = curve.x[i] + (onBar ? curve.style.barShift : 0.0);
-        const QPointF foot = data_.toPixel(middle, low, curve.style.side);
-        const QPointF tip = data_.toPixel(middle, high, curve.style.side);
+        const QPointF foot = data_.toPixel(middle, low);
+        const QPointF tip = data_.toPixel(middle, high);
         if (foot.y() - tip.y() < 1.0) {
             continue;  // nothing to be seen
         }

@@ -13,7 +13,6 @@ namespace ravnoves {
 
 using namespace painter_parts;
 using plot::Shape;
-using plot::Side;
 
 void PlotPainter::paintOverlay(QPainter& painter) const {
     const Theme& theme = Theme::instance();
@@ -40,9 +39,8 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
         for (const PlotCurve& curve : data_.curves) {
             const auto y = curve.shown ? data_.valueAt(curve, *data_.presentX) : std::nullopt;
             if (y) {
-                dot(painter, data_.toPixel(*data_.presentX, *y, curve.style.side),
-                    strokeScale() * 4.5, QPen(theme.panel(), strokeScale() * 1.5),
-                    theme.colour(curve.style.role));
+                dot(painter, data_.toPixel(*data_.presentX, *y), strokeScale() * 4.5,
+                    QPen(theme.panel(), strokeScale() * 1.5), theme.colour(curve.style.role));
             }
         }
     }
@@ -77,7 +75,7 @@ void PlotPainter::paintLines(QPainter& painter) const {
 QLineF PlotPainter::strokeOf(const plot::Line& line) const {
     const QRectF& area = data_.area;
     if (line.orientation == Qt::Horizontal) {
-        const double y = data_.toPixel(data_.x.low, line.at, line.side).y();
+        const double y = data_.toPixel(data_.x.low, line.at).y();
         return {area.left(), y, area.right(), y};
     }
     const double x = across(line.at);
@@ -94,8 +92,7 @@ LabelPlaces PlotPainter::drawnPlaces() const {
             places.addLine(stretch);
         }
         const auto add = [&](double lowX, double lowY, double highX, double highY, double room) {
-            places.addShape(QRectF(data_.toPixel(lowX, lowY, curve.style.side),
-                                   data_.toPixel(highX, highY, curve.style.side))
+            places.addShape(QRectF(data_.toPixel(lowX, lowY), data_.toPixel(highX, highY))
                                 .normalized()
                                 .adjusted(-room, -room, room, room));
         };
@@ -104,8 +101,7 @@ LabelPlaces PlotPainter::drawnPlaces() const {
             if (curve.style.shape == Shape::Bars) {
                 const double middle = curve.x[i] + curve.style.barShift;
                 const double half = 0.5 * curve.style.barWidth;
-                const double foot = data_.scale(curve.style.side).low;
-                add(middle - half, std::max(0.0, foot), middle + half, curve.y[i], 0.0);
+                add(middle - half, std::max(0.0, data_.left.low), middle + half, curve.y[i], 0.0);
             } else {
                 add(curve.x[i], curve.y[i], curve.x[i], curve.y[i], radius);
             }
@@ -119,7 +115,7 @@ LabelPlaces PlotPainter::drawnPlaces() const {
         places.addLine({x, data_.area.top()}, {x, data_.area.bottom()});
     }
     for (const plot::Mark& mark : data_.marks) {
-        const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
+        const QPointF at = data_.toPixel(mark.x, mark.y);
         const QPointF corner(radiusOf(mark), radiusOf(mark));
         places.addShape(QRectF(at - corner, at + corner));
     }
@@ -161,7 +157,7 @@ void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlac
     const QRectF& area = data_.area;
     const QFont font = Theme::font(Theme::smallSize);
     const bool flat = line.orientation == Qt::Horizontal;
-    const PlotScale& scale = flat ? data_.scale(line.side) : data_.x;
+    const PlotScale& scale = flat ? data_.left : data_.x;
     const double place = scale.fraction(line.at);
     constexpr double rounding = 1e-3;
     const int beyond = place < -rounding ? -1 : place > 1.0 + rounding ? 1 : 0;
@@ -209,7 +205,7 @@ double PlotPainter::radiusOf(const plot::Mark& mark) {
 bool PlotPainter::isSeen(const plot::Mark& mark) const {
     const auto curve = mark.curve.empty() ? std::nullopt : data_.find(mark.curve);
     return (!curve || data_.curves[*curve].shown) &&
-           data_.area.adjusted(-1, -1, 1, 1).contains(data_.toPixel(mark.x, mark.y, mark.side));
+           data_.area.adjusted(-1, -1, 1, 1).contains(data_.toPixel(mark.x, mark.y));
 }
 
 void PlotPainter::paintMarks(QPainter& painter) const {
@@ -217,7 +213,7 @@ void PlotPainter::paintMarks(QPainter& painter) const {
     for (const plot::Mark& mark : data_.marks) {
         if (isSeen(mark)) {
             const QColor colour = theme.colour(mark.role);
-            dot(painter, data_.toPixel(mark.x, mark.y, mark.side), radiusOf(mark),
+            dot(painter, data_.toPixel(mark.x, mark.y), radiusOf(mark),
                 QPen(mark.ring ? colour : theme.panel(), strokeScale() * (mark.ring ? 2.0 : 1.2)),
                 mark.ring ? QBrush() : QBrush(colour));
         }
@@ -229,7 +225,7 @@ QRectF PlotPainter::placeMark(QPainter& painter, const plot::Mark& mark,
     if (mark.text.isEmpty() || !isSeen(mark)) {
         return {};
     }
-    const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
+    const QPointF at = data_.toPixel(mark.x, mark.y);
     const QFont font = Theme::font(Theme::smallSize);
     const QSizeF size = labelSize(font, mark.text);
     // Right, left, above, below and between, and farther off where something is near.
@@ -284,9 +280,7 @@ void PlotPainter::paintReadout(QPainter& painter) const {
             continue;
         }
         const QColor colour = theme.colour(curve.style.role);
-        const auto shown = [&](double value) {
-            return data_.scale(curve.style.side).readout(value, data_.locale);
-        };
+        const auto shown = [&](double value) { return data_.left.readout(value, data_.locale); };
         const PlotCurve* ghost = data_.ghostOf(curve);
         const auto was = ghost != nullptr ? data_.valueAt(*ghost, at) : std::nullopt;
         const auto spread = data_.spreadAt(curve, at);
@@ -299,8 +293,7 @@ void PlotPainter::paintReadout(QPainter& painter) const {
                       : QString()),
              theme.readable(colour)});
         const bool isBar = curve.style.shape == Shape::Bars;
-        const QPointF point =
-            data_.toPixel(at + (isBar ? curve.style.barShift : 0.0), *y, curve.style.side);
+        const QPointF point = data_.toPixel(at + (isBar ? curve.style.barShift : 0.0), *y);
         if (area.contains(point)) {
             dot(painter, point, strokeScale() * 3.4, QPen(theme.panel(), 1.2), colour);
         }
@@ -332,7 +325,7 @@ std::vector<PlotPainter::Row> PlotPainter::rowsOfPath(const PlotCurve& curve,
             {QStringLiteral("φ = %1°").arg(fixedNumber(curve.angleOf(point), 1, data_.locale)),
              theme.text()},
             line(data_.x, curve.x[point], other.x[point]),
-            line(data_.scale(curve.style.side), curve.y[point], other.y[point])};
+            line(data_.left, curve.y[point], other.y[point])};
 }
 
 void PlotPainter::paintPointReadout(QPainter& painter) const {

@@ -12,8 +12,8 @@ class LegendItem;
 class PlotPainter;
 struct CsvFormat;
 
-/// One chart: a title, a legend whose entries switch curves, curves over a common x axis with one
-/// or two y axes, marks, a line at the present value, and a cursor that reads the curves.
+/// One chart: a title, a legend whose entries switch curves, curves over a common x axis, marks, a
+/// line at the present value, and a cursor that reads the curves.
 ///
 /// PlotData has the content, PlotPainter paints it; this is the widget: legend, layers, mouse and
 /// keys. Axes and grid are drawn once into a picture and redrawn only when range, size or theme
@@ -27,8 +27,6 @@ class PlotView : public QWidget {
     Q_OBJECT
 
   public:
-    using Side = plot::Side;
-
     explicit PlotView(QWidget* parent = nullptr);
     ~PlotView() override;
 
@@ -68,11 +66,9 @@ class PlotView : public QWidget {
     void fitAxes() { curvesChanged(); }
     /// The chart's inner rectangle in this widget, and the mapping of values to it.
     QRectF plotArea() const { return data_.area; }
-    QPointF toPixel(double x, double y, Side side = Side::Left) const {
-        return data_.toPixel(x, y, side);
-    }
+    QPointF toPixel(double x, double y) const { return data_.toPixel(x, y); }
     double xAt(double pixelX) const { return data_.xAt(pixelX); }
-    double yAt(double pixelY, Side side = Side::Left) const { return data_.yAt(pixelY, side); }
+    double yAt(double pixelY) const { return data_.yAt(pixelY); }
     /// The value of a curve at x by linear interpolation; nothing outside its data.
     std::optional<double> valueAt(int curve, double x) const {
         return data_.valueAt(data_.curve(curve), x);
@@ -88,11 +84,9 @@ class PlotView : public QWidget {
     QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
-    /// Another reference, or none, or it is switched on or off.
-    void referenceChanged();
     /// A click or drag in a pickable plot.
     void picked(double x);
-    /// The same with the value on the left axis (maps).
+    /// The same with the value on the y axis (maps).
     void pickedAt(double x, double y);
     /// The cursor is over x.
     void cursorMoved(double x);

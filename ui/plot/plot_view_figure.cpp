@@ -53,7 +53,6 @@ void PlotView::showReference(const Figure* figure, const QString& name) {
             data_.reference = nullptr;
             referenceData_.reset();
             chartChanged();
-            Q_EMIT referenceChanged();
         }
         return;
     }
@@ -68,7 +67,6 @@ void PlotView::showReference(const Figure* figure, const QString& name) {
         connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
             data_.referenceShown = on;
             chartChanged();
-            Q_EMIT referenceChanged();
         });
     }
     constexpr int longest = 24;
@@ -77,7 +75,6 @@ void PlotView::showReference(const Figure* figure, const QString& name) {
     referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
     showLegend();
     chartChanged();
-    Q_EMIT referenceChanged();
 }
 
 }  // namespace ravnoves

@@ -24,10 +24,7 @@ constexpr double zoomPerStep = 1.2;
 
 const PlotScale* PlotView::axisAt(const QPoint& at) const {
     const QRectF area = plotArea();
-    return at.y() > area.bottom()                                 ? &data_.x
-           : at.x() < area.left()                                 ? &data_.left
-           : at.x() > area.right() && data_.sideUsed(Side::Right) ? &data_.right
-                                                                  : nullptr;
+    return at.y() > area.bottom() ? &data_.x : at.x() < area.left() ? &data_.left : nullptr;
 }
 
 bool PlotView::event(QEvent* event) {

@@ -45,11 +45,9 @@ struct Figure {
 
     QString title = {};
     plot::Axis x = {};
-    plot::Axis left = {};
-    plot::Axis right = {};
-    /// What a y axis shows at least; nothing: it follows the data.
+    plot::Axis left = {};  ///< y
+    /// What the y axis shows at least; nothing: it follows the data.
     std::optional<std::pair<double, double>> leftRange = {};
-    std::optional<std::pair<double, double>> rightRange = {};
     bool equalScale = false;  ///< one unit is the same length on both axes
     std::vector<Curve> curves = {};
     /// Empty: the present marks follow the crank, not the case.

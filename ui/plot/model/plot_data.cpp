@@ -13,7 +13,6 @@ namespace ravnoves {
 
 using plot::CurveStyle;
 using plot::Shape;
-using plot::Side;
 
 bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const PlotScale& xScale,
                     const PlotScale& yScale) {
@@ -93,21 +92,20 @@ bool PlotData::showX(const plot::Axis& axis) {
     return true;
 }
 
-bool PlotData::showY(Side side, const plot::Axis& axis,
+bool PlotData::showY(const plot::Axis& axis,
                      const std::optional<std::pair<double, double>>& range) {
-    PlotScale& shown = scale(side);
-    const bool isOther = shown.setSpec(axis);
+    const bool isOther = left.setSpec(axis);
     if (isOther && axis.logarithmic) {
         makeStale();
-        if (!(shown.low > 0.0)) {
-            shown.low = 0.1;
-            shown.high = 1.0;
+        if (!(left.low > 0.0)) {
+            left.low = 0.1;
+            left.high = 1.0;
         }
     }
     const bool isFixed =
-        range ? (!shown.fixed || !rests(*shown.fixed, *range)) &&
-                    shown.fix(range->first, range->second)
-              : std::exchange(shown.fixed, std::nullopt).has_value();  // it follows its data again
+        range
+            ? (!left.fixed || !rests(*left.fixed, *range)) && left.fix(range->first, range->second)
+            : std::exchange(left.fixed, std::nullopt).has_value();  // it follows its data again
     return isOther || isFixed;
 }
 
@@ -115,13 +113,12 @@ PlotData::Change PlotData::show(const Figure& figure) {
     bool isOther = std::exchange(title, figure.title) != figure.title;
     bool isMoved = false;
     isOther |= showX(figure.x);
-    isOther |= showY(Side::Left, figure.left, figure.leftRange);
-    isOther |= showY(Side::Right, figure.right, figure.rightRange);
+    isOther |= showY(figure.left, figure.leftRange);
     isOther |= std::exchange(equalScale, figure.equalScale) != figure.equalScale;
     const auto showPoints = [&](PlotCurve& drawn, const std::vector<double>& xs,
                                 const std::vector<double>& ys) {
         const bool wasEmpty = drawn.x.empty();
-        if (drawn.set(xs, ys, x, scale(drawn.style.side))) {
+        if (drawn.set(xs, ys, x, left)) {
             pointRead.reset();
             isMoved = true;
             isOther |= wasEmpty != drawn.x.empty();
@@ -158,23 +155,17 @@ PlotData::Change PlotData::show(const Figure& figure) {
     return isOther ? Change::Chart : isMoved ? Change::Curves : Change::Top;
 }
 
-bool PlotData::sideUsed(Side side) const {
-    return side == Side::Left || std::any_of(curves.begin(), curves.end(), [&](const auto& curve) {
-               return curve.style.side == side;
-           });
-}
-
-QPointF PlotData::toPixel(double valueX, double valueY, Side side) const {
+QPointF PlotData::toPixel(double valueX, double valueY) const {
     return {area.left() + x.fraction(valueX) * area.width(),
-            area.bottom() - scale(side).fraction(valueY) * area.height()};
+            area.bottom() - left.fraction(valueY) * area.height()};
 }
 
 double PlotData::xAt(double pixelX) const {
     return x.value((pixelX - area.left()) / std::max(1.0, area.width()));
 }
 
-double PlotData::yAt(double pixelY, Side side) const {
-    return scale(side).value((area.bottom() - pixelY) / std::max(1.0, area.height()));
+double PlotData::yAt(double pixelY) const {
+    return left.value((area.bottom() - pixelY) / std::max(1.0, area.height()));
 }
 
 std::optional<std::size_t> PlotData::find(std::string_view id) const {
@@ -193,10 +184,7 @@ const PlotCurve* PlotData::curveOfReference(const PlotCurve& curve) const {
 const PlotCurve* PlotData::ghostOf(const PlotCurve& curve) const {
     const PlotCurve* ghost = referenceShown && curve.shown ? curveOfReference(curve) : nullptr;
     // Another quantity has no place on this axis.
-    return ghost != nullptr && reference->scale(ghost->style.side).spec.title ==
-                                   scale(curve.style.side).spec.title
-               ? ghost
-               : nullptr;
+    return ghost != nullptr && reference->left.spec.title == left.spec.title ? ghost : nullptr;
 }
 
 bool PlotData::hasGhosts() const {
@@ -211,8 +199,7 @@ bool PlotData::hasSpread() const {
 }
 
 std::pair<double, double> PlotData::spreadAt(const PlotCurve& curve, std::size_t point) const {
-    const PlotScale& values = scale(curve.style.side);
-    const auto held = [&](double value) { return values.holds(value) ? value : values.low; };
+    const auto held = [&](double value) { return left.holds(value) ? value : left.low; };
     return {held(curve.y[point] - curve.below[point]), held(curve.y[point] + curve.above[point])};
 }
 
@@ -231,26 +218,6 @@ std::optional<std::pair<double, double>> PlotData::spreadAt(const PlotCurve& cur
     return std::pair(*middle - std::lerp(curve.below[before], curve.below[next], part),
                      *middle + std::lerp(curve.above[before], curve.above[next], part));
 }
-
-namespace {
-
-/// Widens an axis that does not follow its data until it holds the reference's curves.
-void includeGhosts(const PlotData& data, Side side, PlotScale& follower) {
-    const auto [low, high] = *follower.fixed;
-    for (const PlotCurve& curve : data.curves) {
-        const PlotCurve* ghost = curve.style.side == side ? data.ghostOf(curve) : nullptr;
-        if (ghost != nullptr) {
-            const auto [minimum, maximum] = std::minmax_element(ghost->y.begin(), ghost->y.end());
-            follower.low = std::min(follower.low, *minimum);
-            follower.high = std::max(follower.high, *maximum);
-        }
-    }
-    const double pad = follower.spec.logarithmic ? 0.0 : 0.04 * (follower.high - follower.low);
-    follower.low -= follower.low < low ? pad : 0.0;
-    follower.high += follower.high > high ? pad : 0.0;
-}
-
-}  // namespace
 
 bool PlotData::liesOnAnother(const PlotCurve& curve) const {
     if (curve.pen() != Qt::DashLine) {
@@ -280,37 +247,37 @@ void PlotData::fitScales() {
         x.low = std::min(x.low, reference->x.spec.min);
         x.high = std::max(x.high, reference->x.spec.max);
     }
-    for (const Side side : {Side::Left, Side::Right}) {
-        PlotScale& follower = scale(side);
-        double minimum = std::numeric_limits<double>::infinity();
-        double maximum = -minimum;
-        for (const PlotCurve& curve : curves) {
-            if (follower.fixed || !curve.shown || curve.style.side != side) {
-                continue;
-            }
-            for (const PlotCurve* each : {&curve, ghostOf(curve)}) {
-                if (each != nullptr && !each->y.empty()) {
-                    const auto [low, high] = std::minmax_element(each->y.begin(), each->y.end());
-                    const bool fromZero =
-                        curve.style.shape == Shape::Bars && !follower.spec.logarithmic;
-                    minimum = std::min({minimum, *low, fromZero ? 0.0 : *low});
-                    maximum = std::max({maximum, *high, fromZero ? 0.0 : *high});
-                }
-            }
-            for (std::size_t i = 0; showsSpread(curve) && i < curve.x.size(); ++i) {
-                const double low = curve.y[i] - curve.below[i];
-                const double high = curve.y[i] + curve.above[i];
-                minimum = follower.holds(low) ? std::min(minimum, low) : minimum;
-                maximum = follower.holds(high) ? std::max(maximum, high) : maximum;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
+    for (const PlotCurve& curve : curves) {
+        for (const PlotCurve* each : {&curve, ghostOf(curve)}) {
+            if (each != nullptr && curve.shown && !each->y.empty() &&
+                !(left.fixed && each == &curve)) {
+                const auto [low, high] = std::minmax_element(each->y.begin(), each->y.end());
+                const bool fromZero =
+                    curve.style.shape == Shape::Bars && !left.fixed && !left.spec.logarithmic;
+                minimum = std::min({minimum, *low, fromZero ? 0.0 : *low});
+                maximum = std::max({maximum, *high, fromZero ? 0.0 : *high});
             }
         }
-        follower.fit(minimum, maximum, steady);
-        if (both && follower.fixed && reference->scale(side).fixed) {
-            follower.low = std::min(follower.low, reference->scale(side).fixed->first);
-            follower.high = std::max(follower.high, reference->scale(side).fixed->second);
-        } else if (both && follower.fixed) {
-            includeGhosts(*this, side, follower);
+        for (std::size_t i = 0; !left.fixed && showsSpread(curve) && i < curve.x.size(); ++i) {
+            const double low = curve.y[i] - curve.below[i];
+            const double high = curve.y[i] + curve.above[i];
+            minimum = left.holds(low) ? std::min(minimum, low) : minimum;
+            maximum = left.holds(high) ? std::max(maximum, high) : maximum;
         }
+    }
+    left.fit(minimum, maximum, steady);
+    if (both && left.fixed) {
+        // It holds the reference, too, with a little room.
+        const auto [low, high] = *left.fixed;
+        const auto [from, to] = reference->left.fixed.value_or(std::pair(minimum, maximum));
+        left.low = std::min(low, from);
+        left.high = std::max(high, to);
+        const bool hasRoom = reference->left.fixed || left.spec.logarithmic;
+        const double pad = hasRoom ? 0.0 : 0.04 * (left.high - left.low);
+        left.low -= left.low < low ? pad : 0.0;
+        left.high += left.high > high ? pad : 0.0;
     }
 }
 
@@ -345,7 +312,7 @@ void PlotData::equalise() {
 
 void PlotData::keepHome() {
     if (!zoomed) {
-        for (PlotScale* scale : {&x, &left, &right}) {
+        for (PlotScale* scale : {&x, &left}) {
             scale->home = scale->interval();
         }
     }
@@ -365,10 +332,8 @@ void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
     }
     keepHome();
     x.zoom(factorX, std::clamp((about.x() - area.left()) / area.width(), 0.0, 1.0));
-    for (PlotScale* upright : {&left, &right}) {
-        upright->zoom(factorY, std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0));
-    }
-    zoomed = !(x.isHome() && left.isHome() && right.isHome());
+    left.zoom(factorY, std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0));
+    zoomed = !(x.isHome() && left.isHome());
     keepSection();
 }
 
@@ -377,7 +342,6 @@ void PlotData::pan(const QPointF& pixels) {
     zoomed = true;
     x.shift(-pixels.x() / area.width());
     left.shift(pixels.y() / area.height());
-    right.shift(pixels.y() / area.height());
     keepSection();
 }
 
@@ -413,8 +377,8 @@ std::vector<QPolygonF> PlotData::shadesOf(const PlotCurve& curve) const {
         std::vector<QPointF> high;
         for (; from < to; ++from) {
             const auto [minimum, maximum] = spreadAt(curve, from);
-            low.push_back(toPixel(curve.x[from], minimum, curve.style.side));
-            high.push_back(toPixel(curve.x[from], maximum, curve.style.side));
+            low.push_back(toPixel(curve.x[from], minimum));
+            high.push_back(toPixel(curve.x[from], maximum));
         }
         QPolygonF shade = thinPolyline(high);
         const QPolygonF foot = thinPolyline(low);
@@ -433,7 +397,7 @@ std::vector<QPolygonF> PlotData::stretchesOf(const PlotCurve& curve) const {
         std::vector<QPointF> pixels;
         pixels.reserve(to - from);
         for (; from < to; ++from) {
-            pixels.push_back(toPixel(curve.x[from], curve.y[from], curve.style.side));
+            pixels.push_back(toPixel(curve.x[from], curve.y[from]));
         }
         stretches.push_back(thinPolyline(pixels));
     }
@@ -500,9 +464,7 @@ std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const
     // Along the straight line that is drawn between the points, on whatever scale.
     const double from = x.scaled(curve.x[i - 1]);
     const double fraction = (x.scaled(at) - from) / (x.scaled(curve.x[i]) - from);
-    const PlotScale& values = scale(curve.style.side);
-    return values.unscaled(
-        std::lerp(values.scaled(curve.y[i - 1]), values.scaled(curve.y[i]), fraction));
+    return left.unscaled(std::lerp(left.scaled(curve.y[i - 1]), left.scaled(curve.y[i]), fraction));
 }
 
 bool PlotData::readsPoints() const {
@@ -515,7 +477,7 @@ std::optional<PlotData::Point> PlotData::nearestPoint(const QPointF& pixel, doub
     for (std::size_t c = 0; c < curves.size(); ++c) {
         const PlotCurve& curve = curves[c];
         for (std::size_t i = 0; curve.isReadable() && i < curve.x.size(); ++i) {
-            const QPointF away = toPixel(curve.x[i], curve.y[i], curve.style.side) - pixel;
+            const QPointF away = toPixel(curve.x[i], curve.y[i]) - pixel;
             const double distance = std::hypot(away.x(), away.y());
             if (distance < reach) {
                 reach = distance;
@@ -546,16 +508,9 @@ std::optional<PlotData::Point> PlotData::nextPoint(int by) const {
 }
 
 QString PlotData::csv(const CsvFormat& format) const {
-    struct Column {
-        QString heading;
-        std::vector<QString> cells;
-    };
     const auto isAscending = [](const PlotCurve& curve) {
         return std::adjacent_find(curve.x.begin(), curve.x.end(), std::greater_equal<>()) ==
                curve.x.end();
-    };
-    const auto text = [&](double value, const PlotScale& scale) {
-        return format.number(value * scale.spec.factor);
     };
     // In their true places: curves, and below each that of the reference, named with it.
     std::vector<std::pair<QString, PlotCurve>> listed;
@@ -563,7 +518,7 @@ QString PlotData::csv(const CsvFormat& format) const {
     const auto list = [&](const QString& before, PlotCurve curve, const CurveStyle& style) {
         curve.style = style;
         if (!curve.trueX.empty()) {
-            curve.set(curve.trueX, curve.trueY, x, scale(style.side));
+            curve.set(curve.trueX, curve.trueY, x, left);
         }
         if (isAscending(curve)) {
             common.insert(common.end(), curve.x.begin(), curve.x.end());
@@ -580,57 +535,51 @@ QString PlotData::csv(const CsvFormat& format) const {
     }
     std::sort(common.begin(), common.end());
     common.erase(std::unique(common.begin(), common.end()), common.end());
-    std::vector<Column> columns;
+    std::vector<QStringList> columns;  // each with its heading
+    const auto addColumn = [&](QString heading, const std::vector<double>& values,
+                               const PlotScale& scale, const std::vector<double>* places) {
+        QStringList& cells = columns.emplace_back();
+        cells << QLatin1Char('"') + heading.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
+                     QLatin1Char('"');
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            while (places != nullptr &&
+                   common[static_cast<std::size_t>(cells.size()) - 1] != (*places)[i]) {
+                cells << QString();
+            }
+            cells << format.number(values[i] * scale.spec.factor);
+        }
+    };
     if (!common.empty()) {
-        columns.push_back({x.spec.title, {}});
-        for (const double value : common) {
-            columns.back().cells.push_back(text(value, x));
-        }
+        addColumn(x.spec.title, common, x, nullptr);
     }
-    for (const auto& each : listed) {
-        const PlotCurve& curve = each.second;
-        const PlotScale& y = scale(curve.style.side);
-        const bool shares = isAscending(curve);
-        const QString name = each.first + curve.style.name;
-        if (!shares) {
-            columns.push_back({name + QStringLiteral(": ") + x.spec.title, {}});
-            for (const double value : curve.x) {
-                columns.back().cells.push_back(text(value, x));
-            }
+    for (const auto& [before, curve] : listed) {
+        const std::vector<double>* places = isAscending(curve) ? &curve.x : nullptr;
+        const QString name = before + curve.style.name;
+        if (places == nullptr) {
+            addColumn(name + QStringLiteral(": ") + x.spec.title, curve.x, x, nullptr);
         }
-        const auto add = [&](const QString& heading, const auto& value) {
-            columns.push_back({heading, {}});
-            for (std::size_t i = 0; i < curve.y.size(); ++i) {
-                while (shares && common[columns.back().cells.size()] != curve.x[i]) {
-                    columns.back().cells.emplace_back();
-                }
-                columns.back().cells.push_back(text(value(i), y));
-            }
-        };
         const QString heading = curve.style.name.isEmpty()
-                                    ? each.first + y.spec.title
-                                    : titleWithUnit(name, unitOfTitle(y.spec.title));
-        add(heading, [&](std::size_t i) { return curve.y[i]; });
-        if (each.first.isEmpty() && showsSpread(curve)) {
-            add(heading + QStringLiteral(", 5 %"),
-                [&](std::size_t i) { return curve.y[i] - curve.below[i]; });
-            add(heading + QStringLiteral(", 95 %"),
-                [&](std::size_t i) { return curve.y[i] + curve.above[i]; });
+                                    ? before + left.spec.title
+                                    : titleWithUnit(name, unitOfTitle(left.spec.title));
+        addColumn(heading, curve.y, left, places);
+        if (before.isEmpty() && showsSpread(curve)) {
+            std::vector<double> low = curve.y;
+            std::vector<double> high = curve.y;
+            std::ranges::transform(low, curve.below, low.begin(), std::minus<>());
+            std::ranges::transform(high, curve.above, high.begin(), std::plus<>());
+            addColumn(heading + QStringLiteral(", 5 %"), low, left, places);
+            addColumn(heading + QStringLiteral(", 95 %"), high, left, places);
         }
     }
-    std::size_t rows = 0;
-    QStringList line;
-    for (const Column& column : columns) {
-        QString heading = column.heading;
-        line << QLatin1Char('"') + heading.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
-                    QLatin1Char('"');
-        rows = std::max(rows, column.cells.size());
+    qsizetype rows = 0;
+    for (const QStringList& column : columns) {
+        rows = std::max(rows, column.size());
     }
-    QString table = line.isEmpty() ? QString() : line.join(format.separator) + QLatin1Char('\n');
-    for (std::size_t row = 0; row < rows; ++row) {
-        line.clear();
-        for (const Column& column : columns) {
-            line << (row < column.cells.size() ? column.cells[row] : QString());
+    QString table;
+    for (qsizetype row = 0; row < rows; ++row) {
+        QStringList line;
+        for (const QStringList& column : columns) {
+            line << column.value(row);
         }
         table += line.join(format.separator) + QLatin1Char('\n');
     }

@@ -20,7 +20,6 @@ struct Figure;
 
 namespace plot {
 
-enum class Side { Left, Right };
 enum class Shape {
     Line,
     Points,  ///< the role's markers
@@ -32,7 +31,6 @@ enum class Shape {
 struct CurveStyle {
     QString name;               ///< in the legend and the readout
     Role role = Role::Neutral;  ///< its colour, dash and marker
-    Side side = Side::Left;     ///< which y axis
     qreal width = 1.6;          ///< pen width, pixels
     Shape shape = Shape::Line;
     bool shown = true;
@@ -54,12 +52,11 @@ struct Mark {
     double y = 0.0;
     QString text;
     Role role = Role::Neutral;
-    Side side = Side::Left;
     bool ring = false;       ///< a ring instead of a dot
     std::string curve = {};  ///< it is seen with this curve alone; empty: always
 };
 
-/// A shaded stretch of x (horizontal) or of the left axis (vertical).
+/// A shaded stretch of x (horizontal) or of y (vertical).
 struct Band {
     double from = 0.0;
     double to = 0.0;
@@ -85,7 +82,6 @@ struct Line {
     Qt::Orientation orientation = Qt::Horizontal;
     Role role = Role::Neutral;
     QString text = {};
-    Side side = Side::Left;
     bool keptAtEdge = false;  ///< beyond the shown range: its text at the edge, with its value
 };
 
@@ -132,7 +128,6 @@ struct PlotCurve {
 /// What a plot shows, without a window: curves, scales, marks, and where they are in a rectangle
 /// of pixels.
 struct PlotData {
-    using Side = plot::Side;
     /// A curve and one of its points.
     using Point = std::pair<std::size_t, std::size_t>;
 
@@ -140,12 +135,11 @@ struct PlotData {
     QLocale locale = {};
     std::vector<PlotCurve> curves = {};
     PlotScale x = {};
-    PlotScale left = {};
-    PlotScale right = {};
+    PlotScale left = {};                ///< the y axis
     QRectF area = {};                   ///< the chart's inner rectangle, pixels
     double headerHeight = 0.0;          ///< title and legend
     double flatRoom = 0.0;              ///< pixels for the title of the x axis
-    double uprightRoom = 0.0;           ///< the same of y axes
+    double uprightRoom = 0.0;           ///< the same of the y axis
     bool equalScale = false;            ///< one unit is the same length on both axes
     bool zoomed = false;                ///< the scales are the user's
     static inline bool steady = false;  ///< something is dragged: scales of all plots rest
@@ -174,13 +168,10 @@ struct PlotData {
     /// has done stays: zoom, and which curves are switched off.
     Change show(const Figure& figure);
 
-    PlotScale& scale(Side side) { return side == Side::Left ? left : right; }
-    const PlotScale& scale(Side side) const { return side == Side::Left ? left : right; }
     PlotCurve& curve(int number) { return curves.at(static_cast<std::size_t>(number)); }
     const PlotCurve& curve(int number) const { return curves.at(static_cast<std::size_t>(number)); }
     /// The place of the curve with this word; empty without one.
     std::optional<std::size_t> find(std::string_view id) const;
-    bool sideUsed(Side side) const;
     /// The same curve of the reference; null where it has none.
     const PlotCurve* curveOfReference(const PlotCurve& curve) const;
     /// The same where it is seen.
@@ -194,9 +185,9 @@ struct PlotData {
     /// Dashed over a wider curve that it may coincide with.
     bool liesOnAnother(const PlotCurve& curve) const;
 
-    QPointF toPixel(double valueX, double valueY, Side side = Side::Left) const;
+    QPointF toPixel(double valueX, double valueY) const;
     double xAt(double pixelX) const;
-    double yAt(double pixelY, Side side = Side::Left) const;
+    double yAt(double pixelY) const;
 
     /// The scales follow the data, unless the user has zoomed.
     void fitScales();
@@ -240,8 +231,7 @@ struct PlotData {
   private:
     /// The x axis of a figure; where it is only extended, the zoomed section is kept.
     bool showX(const plot::Axis& axis);
-    bool showY(Side side, const plot::Axis& axis,
-               const std::optional<std::pair<double, double>>& range);
+    bool showY(const plot::Axis& axis, const std::optional<std::pair<double, double>>& range);
     void keepHome();
     void keepSection();
     std::vector<QPolygonF> shadesOf(const PlotCurve& curve) const;

@@ -40,7 +40,7 @@ QString nameOf(const PlotScale& scale) {
 
 QString curveSentence(const PlotData& data, const PlotCurve& curve) {
     const Spoken x{data.x, data.locale};
-    const Spoken y{data.scale(curve.style.side), data.locale};
+    const Spoken y{data.left, data.locale};
     const auto [minimum, maximum] = std::minmax_element(curve.y.begin(), curve.y.end());
     const auto at = [&](auto place) {
         return curve.x[static_cast<std::size_t>(place - curve.y.begin())];
@@ -89,7 +89,7 @@ QString plotSentence(const PlotData& data) {
         }
         QString name = curve.style.name;
         if (name.isEmpty()) {
-            name = nameOf(data.scale(curve.style.side));
+            name = nameOf(data.left);
         }
         curves << (name.isEmpty() ? QString() : name + QStringLiteral(": ")) +
                       curveSentence(data, curve);

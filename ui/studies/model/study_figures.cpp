@@ -124,8 +124,7 @@ std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
     if (sweep.best) {
         const double worst = std::copysign(sweep.best->size, sweep.best->low + sweep.best->high);
         result.marks->push_back({input.factor * sweep.best->x, worst,
-                                 QStringLiteral("95 %: ") + shown(worst), Role::Best,
-                                 plot::Side::Left, true});
+                                 QStringLiteral("95 %: ") + shown(worst), Role::Best, true});
     }
     addLimits(result, study, sweep.result, Qt::Horizontal);
     if (std::ranges::all_of(built.y, [](double percent) { return percent > 99.9; })) {
