@@ -51,9 +51,12 @@ inline QColor veil(QColor colour, float opacity) {
     return colour;
 }
 
-/// The ground of a label, over whatever is drawn there.
-inline void drawVeil(QPainter& painter, const QRectF& box, float opacity = 0.92F) {
-    painter.fillRect(box.toAlignedRect(), veil(Theme::instance().panel(), opacity));
+/// A label on a ground of its own, over whatever is drawn there.
+inline void drawLabel(QPainter& painter, const QRectF& box, const QColor& ink, const QString& text,
+                      int flags = Qt::AlignCenter) {
+    painter.fillRect(box.toAlignedRect(), veil(Theme::instance().panel(), 0.92F));
+    painter.setPen(ink);
+    painter.drawText(box.adjusted(1, 0, -1, 0), flags | Qt::TextDontClip, text);
 }
 
 inline constexpr double besideLabel = 3.0;  ///< of a label's ground left and right of the text

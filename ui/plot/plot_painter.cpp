@@ -6,7 +6,6 @@
 #include <array>
 
 #include "pictures/model/stroke.h"
-#include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
 #include "plot/model/ticks.h"
 #include "plot/painter_parts.h"
@@ -270,9 +269,7 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
             const QRectF box = used.translated(across, down * i / heights);
             if (places.covered(box) == 0.0) {
                 places.addLabel(box);
-                drawVeil(painter, box);
-                painter.setPen(Theme::instance().mutedText());
-                painter.drawText(box.adjusted(1, 0, -1, 0), flags, band.text);
+                drawLabel(painter, box, Theme::instance().mutedText(), band.text, flags);
                 return;
             }
         }
@@ -315,10 +312,10 @@ void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, bool flat
         return;
     }
     painter.setPen(theme.mutedText());
-    // In the middle of the chart, but beyond its ends rather than cut.
+    // In the middle of the chart, but beyond its ends rather than cut; its unit is at its end.
     const double room = flat ? data_.flatRoom : data_.uprightRoom;
     const double from = flat ? titleGap : data_.headerHeight;
-    const QString title = fittedAxisTitle(scale.spec.title, font, room);
+    const QString title = metrics.elidedText(scale.spec.title, Qt::ElideMiddle, room);
     const double half = 0.5 * textWidth(font, title) + 1.0;
     const double middle = std::max(
         from + half, std::min(flat ? area.center().x() : area.center().y(), from + room - half));

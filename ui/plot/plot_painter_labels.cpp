@@ -140,9 +140,8 @@ void PlotPainter::paintLabels(QPainter& painter) const {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (!boxes[i].isEmpty()) {
             const plot::Mark& mark = data_.marks[i];
-            drawVeil(painter, boxes[i]);
-            painter.setPen(Theme::instance().readable(Theme::instance().colour(mark.role)));
-            painter.drawText(boxes[i], Qt::AlignCenter, mark.text);
+            drawLabel(painter, boxes[i],
+                      Theme::instance().readable(Theme::instance().colour(mark.role)), mark.text);
         }
     }
     for (const plot::Line& line : data_.lines) {
@@ -176,26 +175,21 @@ void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlac
     const QSizeF size = labelSize(font, text);
     constexpr int steps = 16;
     constexpr double away = 2.0;
+    const QRectF above(QPointF(stroke.x() + away, stroke.y() - away - size.height()), size);
+    const QRectF below(QPointF(stroke.x() - away - size.width(), stroke.y() + away), size);
+    const QRectF starts = area.adjusted(away, away, -away - size.width(), -away - size.height());
     std::vector<QRectF> candidates;
     for (int i = 0; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
-        if (flat) {
-            const double x =
-                area.left() + away + part * std::max(0.0, area.width() - size.width() - 2.0 * away);
-            candidates.emplace_back(QPointF(x, stroke.y() - away - size.height()), size);
-            candidates.emplace_back(QPointF(x, stroke.y() + away), size);
-        } else {
-            const double y = area.top() + away +
-                             part * std::max(0.0, area.height() - size.height() - 2.0 * away);
-            candidates.emplace_back(QPointF(stroke.x() + away, y), size);
-            candidates.emplace_back(QPointF(stroke.x() - away - size.width(), y), size);
+        for (QRectF box : {above, below}) {
+            flat ? box.moveLeft(starts.left() + part * std::max(0.0, starts.width()))
+                 : box.moveTop(starts.top() + part * std::max(0.0, starts.height()));
+            candidates.push_back(box);
         }
     }
     const QRectF box = places.place(candidates);
     painter.setFont(font);
-    drawVeil(painter, box);
-    painter.setPen(Theme::instance().readable(Theme::instance().colour(line.role)));
-    painter.drawText(box, Qt::AlignCenter, text);
+    drawLabel(painter, box, Theme::instance().readable(Theme::instance().colour(line.role)), text);
 }
 
 double PlotPainter::radiusOf(const plot::Mark& mark) {

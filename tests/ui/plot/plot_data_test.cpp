@@ -8,11 +8,8 @@
 #include <limits>
 
 #include "pictures/model/thin_polyline.h"
-#include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
 #include "text/csv_format.h"
-#include "text/text_width.h"
-#include "theme/theme.h"
 
 namespace ravnoves {
 namespace {
@@ -75,20 +72,6 @@ TEST(PlotScale, LabelsBesideOneAnotherHaveRoom) {
         EXPECT_GE(scale.ticks(pixels, 30.0).size(), 2U) << pixels;
     }
     EXPECT_EQ(scale.tickText(-5e5, QLocale::c()), QStringLiteral("\u2212500000"));
-}
-
-TEST(AxisTitle, LosesWordsAndNeverItsUnit) {
-    const QFont font = Theme::font(Theme::smallSize);
-    const auto fitted = [&](const QString& title, const QString& room) {
-        return fittedAxisTitle(title, font, textWidth(font, room) + 0.5);
-    };
-    const QString mean = QStringLiteral("mean Mₛ, N·m");
-    EXPECT_EQ(fitted(mean, mean), mean);
-    EXPECT_EQ(fitted(mean, QStringLiteral("N")), QStringLiteral("N·m"));
-    const QString words = QStringLiteral("сила первого порядка, Н");
-    const QString cut = fitted(words, QStringLiteral("сила перво…, Н"));
-    EXPECT_TRUE(cut.startsWith(QStringLiteral("сила пер"))) << cut.toStdString();
-    EXPECT_TRUE(cut.endsWith(QStringLiteral("…, Н"))) << cut.toStdString();
 }
 
 TEST(LabelPlaces, ChoosesWhereMinimumIsDrawn) {
