@@ -90,7 +90,10 @@ TEST(ContourRegion, HoldsWhatIsAtTheLevelAndNothingElse) {
     };
     const auto values = grid(points, f);
     QPainterPath region;
-    for (const QPolygonF& line : contourRegion({values, points, points}, 0.0)) {
+    const auto crossing = [&](std::size_t from, std::size_t to) {
+        return values[from] / (values[from] - values[to]);
+    };
+    for (const QPolygonF& line : contourRegion({values, points, points}, 0.0, crossing)) {
         EXPECT_EQ(line.front(), line.back());
         region.addPolygon(line);
     }

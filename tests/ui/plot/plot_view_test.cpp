@@ -44,8 +44,8 @@ std::vector<double> sine(const std::vector<double>& x, double amplitude) {
 TEST(Ticks, AreWhatAPersonWouldChoose) {
     EXPECT_DOUBLE_EQ(niceStep(1208.0, 6), 250.0);
     EXPECT_DOUBLE_EQ(readableStep(0.5, 12.5, 5, false), 5.0);  // not 2.5: orders are whole
-    EXPECT_DOUBLE_EQ(niceAngleStep(720.0, 10), 90.0);
-    EXPECT_DOUBLE_EQ(niceAngleStep(360.0, 8), 45.0);
+    EXPECT_DOUBLE_EQ(niceStep(720.0, 10, true), 90.0);
+    EXPECT_DOUBLE_EQ(niceStep(360.0, 8, true), 45.0);
     EXPECT_EQ(tickDecimals(250.0), 0);
     EXPECT_EQ(tickDecimals(0.25), 2);
     const auto [low, high] = niceInterval(-893.0, 315.0, 6);

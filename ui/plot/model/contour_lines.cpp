@@ -143,14 +143,8 @@ std::vector<QPolygonF> contourRegion(const ValueGrid& grid, double level,
         return (element / columns - 1) * grid.columns + element % columns - 1;
     };
     const Crossing onFrame = [&](std::size_t from, std::size_t to) {
-        if (isFrame(from) || isFrame(to)) {
-            return isFrame(from) ? 1.0 : 0.0;  // along the grid's own edge
-        }
-        if (crossing) {
-            return crossing(inner(from), inner(to));
-        }
-        const double rise = framed[to] - framed[from];
-        return std::isfinite(rise) && rise != 0.0 ? (level - framed[from]) / rise : 0.5;
+        // Along the grid's own edge.
+        return isFrame(from) ? 1.0 : isFrame(to) ? 0.0 : crossing(inner(from), inner(to));
     };
     std::vector<QPolygonF> region = contourLines({framed, columns, rows}, level, onFrame);
     for (QPolygonF& line : region) {

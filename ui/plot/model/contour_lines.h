@@ -28,7 +28,6 @@ std::vector<QPolygonF> contourLines(const ValueGrid& grid, double level,
 
 /// The outlines of where a grid is at the level or above: closed lines that go along the grid's own
 /// edge where it is there, too; filled by the odd-even rule they are the region.
-std::vector<QPolygonF> contourRegion(const ValueGrid& grid, double level,
-                                     const Crossing& crossing = {});
+std::vector<QPolygonF> contourRegion(const ValueGrid& grid, double level, const Crossing& crossing);
 
 }  // namespace ravnoves

@@ -406,23 +406,14 @@ std::vector<QPolygonF> PlotData::stretchesOf(const PlotCurve& curve) const {
 
 namespace {
 
-/// The bar at x, up to the middle between it and the next; -1: none.
+/// The bar that is at x, with those beside it in its group; -1: none.
 std::ptrdiff_t barOf(const PlotCurve& curve, double at) {
-    if (curve.x.empty()) {
-        return -1;
-    }
-    const auto upper = std::lower_bound(curve.x.begin(), curve.x.end(), at);
-    auto bar = upper - curve.x.begin();
-    if (upper == curve.x.end() || (bar > 0 && at - upper[-1] <= *upper - at)) {
-        --bar;
-    }
-    double reach = curve.x.size() > 1 ? std::numeric_limits<double>::infinity()
-                                      : std::abs(curve.style.barShift) + curve.style.barWidth;
-    for (std::size_t i = 1; i < curve.x.size(); ++i) {
-        reach = std::min(reach, curve.x[i] - curve.x[i - 1]);
-    }
-    reach *= 0.5 * (1.0 + 1e-9);
-    return std::abs(curve.x[static_cast<std::size_t>(bar)] - at) <= reach ? bar : -1;
+    const auto nearest =
+        std::ranges::min_element(curve.x, {}, [at](double x) { return std::abs(x - at); });
+    const double reach = std::abs(curve.style.barShift) + 0.5 * curve.style.barWidth;
+    const bool isThere =
+        nearest != curve.x.end() && std::abs(*nearest - at) <= reach * (1.0 + 1e-9);
+    return isThere ? nearest - curve.x.begin() : -1;
 }
 
 }  // namespace
@@ -433,7 +424,7 @@ std::optional<double> PlotData::barsAt(double at) const {
         if (!curve.shown || curve.x.empty()) {
             continue;
         }
-        if (curve.style.shape != Shape::Bars || !curve.ascending) {
+        if (curve.style.shape != Shape::Bars) {
             return std::nullopt;
         }
         if (const std::ptrdiff_t bar = barOf(curve, at); bar >= 0 && !middle) {
@@ -444,13 +435,12 @@ std::optional<double> PlotData::barsAt(double at) const {
 }
 
 std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const {
-    if (curve.style.shape == Shape::Bars && curve.ascending) {
+    if (curve.style.shape == Shape::Bars) {
         const std::ptrdiff_t bar = barOf(curve, at);
         return bar < 0 ? std::nullopt : std::optional(curve.y[static_cast<std::size_t>(bar)]);
     }
     if (curve.x.empty() || !curve.ascending || !(at >= curve.x.front() && at <= curve.x.back()) ||
-        curve.style.shape == Shape::Bars || curve.style.shape == Shape::Points ||
-        curve.style.shape == Shape::Rings) {
+        !curve.isLine()) {
         return std::nullopt;
     }
     const auto upper = std::upper_bound(curve.x.begin(), curve.x.end(), at);

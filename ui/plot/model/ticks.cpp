@@ -8,38 +8,26 @@
 
 namespace ravnoves {
 
-double niceStep(double span, int wanted) {
+double niceStep(double span, int wanted, bool degrees) {
     if (!(span > 0.0) || !std::isfinite(span)) {
         return 1.0;
     }
+    static constexpr std::array<double, 4> decimal{1, 2, 2.5, 5};
+    static constexpr std::array<double, 10> angles{1, 2, 5, 10, 15, 30, 45, 60, 90, 120};
     const double rough = span / std::max(1, wanted);
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0}) {
-        if (factor * power >= rough * 0.999) {
-            return factor * power;
-        }
-    }
-    return 10.0 * power;
-}
-
-double niceAngleStep(double span, int wanted) {
-    static constexpr std::array<double, 11> steps{1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180};
-    const double rough = span / std::max(1, wanted);
-    if (rough < steps.front()) {
-        return niceStep(span, wanted);
-    }
-    for (const double step : steps) {
-        if (step >= rough * 0.999) {
-            return step;
-        }
-    }
-    return steps.back();
+    const auto choose = [rough](const auto& steps, double unit, double last) {
+        const auto found =
+            std::ranges::find_if(steps, [&](double step) { return step * unit >= rough * 0.999; });
+        return (found != steps.end() ? *found : last) * unit;
+    };
+    return degrees && rough >= angles.front()
+               ? choose(angles, 1.0, 180.0)
+               : choose(decimal, std::pow(10.0, std::floor(std::log10(rough))), 10.0);
 }
 
 double readableStep(double low, double high, int wanted, bool degrees) {
     const auto choose = [&](int ticks) {
-        const double step =
-            degrees ? niceAngleStep(high - low, ticks) : niceStep(high - low, ticks);
+        const double step = niceStep(high - low, ticks, degrees);
         // 2.5 needs a digit more than 1, 25 does not.
         return tickDecimals(step) > tickDecimals(step / 2.5) ? 2.0 * step : step;
     };

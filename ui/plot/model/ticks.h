@@ -10,12 +10,10 @@ namespace ravnoves {
 /// The distance between ticks that a person would choose: 1, 2, 2.5 or 5 times a power of ten, so
 /// that about `wanted` fit into the span.
 /// @param span  > 0
-double niceStep(double span, int wanted);
+/// @param degrees  1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180
+double niceStep(double span, int wanted, bool degrees = false);
 
-/// The same for degrees: 1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180.
-double niceAngleStep(double span, int wanted);
-
-/// niceStep(), or niceAngleStep() for degrees, but with two ticks or more from low to high where
+/// The same, but with two ticks or more from low to high where
 /// the first choice would leave one or none: one number says nothing of the scale.
 /// @param low, high  low < high
 double readableStep(double low, double high, int wanted, bool degrees);
