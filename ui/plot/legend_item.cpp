@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "plot/painter_parts.h"
@@ -14,31 +15,23 @@ namespace {
 
 constexpr double inset = 5.0;
 
+constexpr double strokeWidth = 2.6;
 double strokeLength() {
     return 18.0 * strokeScale();
-}
-double strokeWidth() {
-    return 2.6 * strokeScale();
 }
 constexpr int wrapped = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
 
 /// A stroke whose dashes fill the short sample evenly; Qt's own end in a sliver.
 QPen samplePen(const QColor& colour, Qt::PenStyle style) {
-    QPen pen(colour, strokeWidth(), style, Qt::FlatCap);
-    const auto fill = [&pen](QList<qreal> pixels) {  // of 18
-        for (qreal& each : pixels) {
-            each /= 2.6;
+    QPen pen(colour, strokeWidth * strokeScale(), style, Qt::FlatCap);
+    if (style != Qt::SolidLine) {
+        QList<qreal> dashes = pen.dashPattern();
+        const double period = std::accumulate(dashes.begin(), dashes.end(), 0.0);
+        const double whole = dashes.front() + period * std::ceil(6.0 / period);
+        for (qreal& each : dashes) {
+            each *= strokeLength() / (whole * pen.widthF());
         }
-        pen.setDashPattern(pixels);
-    };
-    if (style == Qt::DashLine) {
-        fill({7.0, 4.0});
-    } else if (style == Qt::DotLine) {
-        fill({2.4, 2.8});
-    } else if (style == Qt::DashDotLine) {
-        fill({6.5, 2.0, 2.0, 2.0});
-    } else if (style == Qt::DashDotDotLine) {
-        fill({6.0, 2.0, 2.0, 2.0, 2.0, 2.0});
+        pen.setDashPattern(dashes);
     }
     return pen;
 }

@@ -135,19 +135,12 @@ void PlotView::setSpreads(const plot::Spreads& spreads) {
         return;
     }
     if (spreadItem_ == nullptr) {
-        spreadItem_ = new LegendItem(this);
+        spreadItem_ = addSwitch(data_.spreadShown, plot::Shape::Bars);
         spreadItem_->setObjectName(QStringLiteral("spread"));
         spreadItem_->setName(tr("5…95 %"));
-        spreadItem_->setChecked(data_.spreadShown);
         spreadItem_->setAccessibleName(tr("Show the tolerance band"));
         spreadItem_->setToolTip(
             tr("Range from 5 % to 95 % of the curve, with the tolerances of the case."));
-        spreadItem_->setSwatch({}, plot::Shape::Bars);
-        connect(spreadItem_, &LegendItem::toggled, this, [this](bool on) {
-            data_.spreadShown = on;
-            data_.makeStale();
-            chartChanged();
-        });
         spreadItem_->hide();
     }
     if (spreadItem_->isHidden() == data_.hasSpread()) {

@@ -137,6 +137,8 @@ class PlotView : public QWidget {
             updateChart();
         }
     }
+    /// An entry that switches what is no curve.
+    LegendItem* addSwitch(bool& shown, plot::Shape shape);
     /// The entry of a curve, made where it has none yet.
     void dressLegend(std::size_t number);
     QList<LegendItem*> shownLegend() const;

@@ -28,6 +28,18 @@ void PlotView::showFigure(const Figure& figure) {
     }
 }
 
+LegendItem* PlotView::addSwitch(bool& shown, plot::Shape shape) {
+    auto* item = new LegendItem(this);
+    item->setChecked(shown);
+    item->setSwatch({}, shape);
+    connect(item, &LegendItem::toggled, this, [this, &shown](bool on) {
+        shown = on;
+        data_.makeStale();
+        chartChanged();
+    });
+    return item;
+}
+
 void PlotView::dressLegend(std::size_t number) {
     const plot::CurveStyle& style = data_.curves[number].style;
     if (number == legend_.size()) {
@@ -61,13 +73,7 @@ void PlotView::showReference(const Figure* figure, const QString& name) {
     data_.reference = referenceData_.get();
     data_.referenceName = name;
     if (referenceItem_ == nullptr) {
-        referenceItem_ = new LegendItem(this);
-        referenceItem_->setChecked(true);
-        referenceItem_->setSwatch({}, plot::Shape::Line);
-        connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
-            data_.referenceShown = on;
-            chartChanged();
-        });
+        referenceItem_ = addSwitch(data_.referenceShown, plot::Shape::Line);
     }
     constexpr int longest = 24;
     referenceItem_->setName(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
