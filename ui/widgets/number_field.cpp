@@ -52,11 +52,6 @@ void NumberField::setDigits(int digits) {
     showValue();
 }
 
-void NumberField::setDecimals(int decimals) {
-    decimals_ = decimals;
-    showValue();
-}
-
 void NumberField::keyPressEvent(QKeyEvent* event) {
     const int way = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
     if (way == 0 || step_ == 0.0 || !value() || isReadOnly()) {
@@ -127,17 +122,13 @@ QString NumberField::written() const {
 }
 
 QString NumberField::textOf(double value) const {
+    if (!places_) {
+        return writtenOut(shown(value), locale(), digits_);
+    }
     const auto fixed = [this](double number, int decimals) {
         return QString::number(number, 'f', decimals)
             .replace(QLatin1Char('.'), locale().decimalPoint());
     };
-    // In a column of converted numbers the points are below each other.
-    if (factor_ != 1.0 && decimals_) {
-        return fixed(value * factor_, *decimals_);
-    }
-    if (!places_) {
-        return writtenOut(shown(value), locale(), digits_);
-    }
     constexpr int more = 5;
     const double number = value * factor_;
     // Values have 12 digits.

@@ -45,8 +45,6 @@ class NumberField : public ValueEntry<std::optional<double>> {
     QString textOf(double value) const;
     /// Significant digits shown; all that is typed is kept.
     void setDigits(int digits);
-    /// Digits after the point of a number that was converted, for a column of them.
-    void setDecimals(int decimals);
     QString wholeText() const override;
 
   Q_SIGNALS:
@@ -72,7 +70,6 @@ class NumberField : public ValueEntry<std::optional<double>> {
     double factor_ = 1.0;  ///< numbers shown per number of the value
     int digits_ = 10;
     std::function<std::optional<double>()> lever_;
-    std::optional<int> decimals_;
     std::optional<int> places_;
     double step_ = 0.0;
     bool optional_ = false;

@@ -45,11 +45,6 @@ QFont smallFont() {
     return Theme::font(Theme::smallSize);
 }
 
-/// Whether the letters are small, for what little room there is; its cells are closer then, too.
-bool isSmall(const QTableWidget& table) {
-    return table.font() == smallFont();
-}
-
 int smallHeight() {
     return QFontMetrics(smallFont()).height() - 1;
 }
@@ -313,7 +308,7 @@ int ResultTable::wantedWidth(int column) const {
         }
     }
     // A header makes no column narrower.
-    return std::max(width + (isSmall(*this) ? minPadding : padding), header_->minimumSectionSize());
+    return std::max(width + padding, header_->minimumSectionSize());
 }
 
 void ResultTable::fitColumns() {
@@ -367,7 +362,7 @@ void ResultTable::fitColumns() {
         }
     }
     // Nor do they scroll where closer they have room.
-    const int closer = isSmall(*this) ? 0 : padding - minPadding;
+    constexpr int closer = padding - minPadding;
     if (sum > room && sum - closer * visibleColumns <= room) {
         for (int column = 0; column < columnCount(); ++column) {
             const int given = isColumnHidden(column) ? 0 : std::min(sum - room, closer);

@@ -182,7 +182,9 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     field->setMinimumHeight(Theme::withText(cellHeight));
     field->setFont(Theme::font(Theme::baseSize));
     field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
-    field->setDecimals(2 + shownUnit(description.unit).decimals);
+    if (const ShownUnit shown = shownUnit(description.unit); shown.factor != 1.0) {
+        field->setPlaces(2 + shown.decimals);  // the points are below each other
+    }
     bind(
         field, description, [this, row, column] { return model_->weight(row, column); },
         [this, row, column, name](std::optional<double> mass) {
