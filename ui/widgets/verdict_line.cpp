@@ -8,6 +8,7 @@
 #include <QPainterPath>
 #include <QPushButton>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "text/message_text.h"
@@ -22,28 +23,40 @@ namespace {
 
 constexpr int signSize = 18;
 
+/// A severity as it is shown; the strokes are those of its sign, in sixteenths of it.
+struct Look {
+    QColor (Theme::*colour)() const;
+    const char* word;
+    QList<QLineF> strokes;
+};
+
+const Look& lookOf(Severity severity) {
+    static const std::array<Look, 4> looks{
+        Look{&Theme::good,
+             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "OK"),
+             {{-3.5, 0.5, -1.0, 3.0}, {-1.0, 3.0, 3.5, -2.5}}},
+        Look{&Theme::accent,
+             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Note"),
+             {{0.0, -0.5, 0.0, 4.0}, {0.0, -4.0, 0.0, -4.0}}},
+        Look{&Theme::warning,
+             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Warning"),
+             {{0.0, -2.5, 0.0, 2.5}, {0.0, 5.8, 0.0, 5.8}}},
+        Look{&Theme::error,
+             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Problem"),
+             {{-2.8, -2.8, 2.8, 2.8}, {-2.8, 2.8, 2.8, -2.8}}},
+    };
+    return looks.at(static_cast<std::size_t>(severity));
+}
+
 QColor colourOf(Severity severity) {
-    const Theme& theme = Theme::instance();
-    switch (severity) {
-        case Severity::good:
-            return theme.good();
-        case Severity::warning:
-            return theme.warning();
-        case Severity::error:
-            return theme.error();
-        case Severity::note:
-            break;
-    }
-    return theme.accent();
+    return (Theme::instance().*lookOf(severity).colour)();
 }
 
 QPainterPath outlineOf(const QRectF& square, Severity severity) {
     QPainterPath outline;
     if (severity == Severity::warning) {
-        outline.moveTo(square.center().x(), square.top());
-        outline.lineTo(square.bottomRight());
-        outline.lineTo(square.bottomLeft());
-        outline.closeSubpath();
+        const QPointF top(square.center().x(), square.top());
+        outline.addPolygon(QPolygonF{top, square.bottomRight(), square.bottomLeft(), top});
     } else if (severity == Severity::error) {
         QPolygonF octagon;
         for (int i = 0; i < 8; ++i) {
@@ -52,7 +65,6 @@ QPainterPath outlineOf(const QRectF& square, Severity severity) {
                            0.5 * square.width() * QPointF(std::cos(angle), std::sin(angle));
         }
         outline.addPolygon(octagon);
-        outline.closeSubpath();
     } else {
         outline.addEllipse(square);
     }
@@ -62,17 +74,7 @@ QPainterPath outlineOf(const QRectF& square, Severity severity) {
 }  // namespace
 
 QString severityName(Severity severity) {
-    switch (severity) {
-        case Severity::good:
-            return VerdictLine::tr("OK");
-        case Severity::warning:
-            return VerdictLine::tr("Warning");
-        case Severity::error:
-            return VerdictLine::tr("Problem");
-        case Severity::note:
-            break;
-    }
-    return VerdictLine::tr("Note");
+    return VerdictLine::tr(lookOf(severity).word);
 }
 
 void paintSeverity(QPainter& painter, const QRectF& square, Severity severity) {
@@ -81,26 +83,8 @@ void paintSeverity(QPainter& painter, const QRectF& square, Severity severity) {
     const double unit = square.width() / 16.0;
     const QPointF middle = square.center();
     painter.setPen(QPen(Theme::instance().panel(), 2.0 * unit, Qt::SolidLine, Qt::RoundCap));
-    const auto line = [&](double x1, double y1, double x2, double y2) {
-        painter.drawLine(middle + unit * QPointF(x1, y1), middle + unit * QPointF(x2, y2));
-    };
-    switch (severity) {
-        case Severity::good:
-            line(-3.5, 0.5, -1.0, 3.0);
-            line(-1.0, 3.0, 3.5, -2.5);
-            break;
-        case Severity::note:
-            line(0.0, -0.5, 0.0, 4.0);
-            line(0.0, -4.0, 0.0, -4.0);
-            break;
-        case Severity::warning:
-            line(0.0, -2.5, 0.0, 2.5);
-            line(0.0, 5.8, 0.0, 5.8);
-            break;
-        case Severity::error:
-            line(-2.8, -2.8, 2.8, 2.8);
-            line(-2.8, 2.8, 2.8, -2.8);
-            break;
+    for (const QLineF& stroke : lookOf(severity).strokes) {
+        painter.drawLine(middle + unit * stroke.p1(), middle + unit * stroke.p2());
     }
 }
 
