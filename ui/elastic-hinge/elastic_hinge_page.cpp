@@ -62,7 +62,7 @@ QWidget* ElasticHingePage::buildSliders() {
                         {.label = tr("&ω")}),
         new FieldSlider(model_, "/lambda", {0.05, 0.99, 0.01, 0.1, 3}, panel,
                         {.label = tr("&λ"), .ends = lambdaEnds}),
-        new FieldSlider(model_, "/spring/stiffness_N_m", {1.0, 1e6, 0.1, 1.0, 1}, panel,
+        new FieldSlider(model_, "/spring/stiffness_N_m", {1.0, 1e6, 0.1, 1.0, 1, 50, 3}, panel,
                         {.label = tr("&c"),
                          .name = QStringLiteral("stiffness_kN_m"),
                          .unit = units::kN_per_m,
@@ -77,7 +77,6 @@ QWidget* ElasticHingePage::buildSliders() {
         new FieldSlider(model_, "/profile_error_um", {0.0, 100.0, 0.5, 5.0, 1}, panel,
                         {.label = tr("&error")}),
     };
-    sliders[2]->setLogarithmic(50, 3);  // the stiffness
     ValueSlider::align(sliders);
     for (ValueSlider* slider : sliders) {
         column->addWidget(slider);

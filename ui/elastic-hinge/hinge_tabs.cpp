@@ -108,8 +108,7 @@ void HingeTabs::buildGuideBar(QHBoxLayout* bar) {
     row = addPart(1);
     constexpr Range factors = ElasticHingeModel::exaggerationField.range;
     exaggeration_ =
-        new ValueSlider(tr("&Relief ×"), factors.min, factors.max, 1.0, 10.0, 0, {}, this);
-    exaggeration_->setLogarithmic(12, 2);
+        new ValueSlider(tr("&Relief ×"), {factors.min, factors.max, 1.0, 10.0, 0, 12, 2}, {}, this);
     exaggeration_->slider()->setObjectName(QStringLiteral("exaggeration_slider"));
     exaggeration_->setHint(tr("Enlargement of the guide's relief; 1 is to scale"));
     connect(exaggeration_, &ValueSlider::valueEdited, this,

@@ -304,14 +304,14 @@ void MethodsPage::showSweep() {
     // A thousandth of the whole, in round numbers.
     const double span = sweep.to - sweep.from;
     const int decimals = 2 - static_cast<int>(std::floor(std::log10(span)));
-    value_ = new ValueSlider(
-        tr("&Value measured at"), sweep.from, sweep.to, std::pow(10.0, -decimals), 0.05 * span,
-        sweep.logarithmic() ? -1 : std::max(0, decimals), unitText(sweep.unit.name), this);
+    SliderScale scale{sweep.from, sweep.to, std::pow(10.0, -decimals), 0.05 * span,
+                      std::max(0, decimals)};
     if (sweep.logarithmic()) {
-        constexpr int stepsPerDecade = 100;
-        constexpr int digits = 3;
-        value_->setLogarithmic(stepsPerDecade, digits);
+        scale.decimals = -1;
+        scale.stepsPerDecade = 100;
+        scale.digits = 3;
     }
+    value_ = new ValueSlider(tr("&Value measured at"), scale, unitText(sweep.unit.name), this);
     value_->setHint(shownText(sweep.title));
     value_->slider()->setObjectName(QStringLiteral("value_slider"));
     value_->box()->setObjectName(QStringLiteral("value"));

@@ -101,7 +101,7 @@ PicturePanel::PicturePanel(MechanismPicture* picture, const QString& hint, QWidg
     controls->addWidget(button);
     const CrankAngle* crank = picture->crank();
     slider_ =
-        new ValueSlider(tr("&φ"), 0.0, crank->cycle(), 1.0, 15.0, 0, QStringLiteral("°"), this);
+        new ValueSlider(tr("&φ"), {0.0, crank->cycle(), 1.0, 15.0, 0}, QStringLiteral("°"), this);
     slider_->setHint(hint);
     connect(slider_, &ValueSlider::valueEdited, picture, &MechanismPicture::turnTo);
     const auto showAngle = [this](double degrees) { slider_->setValue(std::round(degrees)); };

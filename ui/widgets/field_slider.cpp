@@ -10,52 +10,37 @@
 
 namespace ravnoves {
 
-namespace {
+FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const SliderScale& scale,
+                         QWidget* parent, const SliderOwn& own)
+    : FieldSlider(model, pointer, model->describedField(pointer).field, scale, parent, own) {}
 
-/// What is the slider's own, and for the rest what follows from the field.
-SliderOwn completed(SceneModel* model, const char* pointer, const SliderScale& scale,
-                    SliderOwn own) {
-    const Field field = model->describedField(pointer).field;
-    if (own.label.isEmpty()) {
-        own.label = shownText(field.label);
+FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const Field& field,
+                         const SliderScale& scale, QWidget* parent, const SliderOwn& own)
+    : ValueSlider(own.label.isEmpty() ? shownText(field.label) : own.label, scale,
+                  unitText((own.unit == units::none ? field.unit : own.unit).name), parent),
+      own_(own) {
+    const double factor = own.unit == units::none ? 1.0 : own.unit.to_si / field.unit.to_si;
+    if (!own_.ends) {
+        own_.ends = [ends = std::pair(scale.min, scale.max)] { return ends; };
     }
-    if (own.hint.isEmpty()) {
-        own.hint = fieldHint(field);
+    if (!own_.read) {
+        own_.read = [=] { return std::get<double>(model->fields(pointer).front().value) / factor; };
     }
-    if (own.name.isEmpty()) {
-        own.name = QString::fromStdString(std::string(field.key));
-    }
-    if (own.unit == units::none) {
-        own.unit = field.unit;
-    }
-    const double factor = own.unit.to_si / field.unit.to_si;
-    if (!own.ends) {
-        own.ends = [ends = std::pair(scale.min, scale.max)] { return ends; };
-    }
-    if (!own.read) {
-        own.read = [=] { return std::get<double>(model->fields(pointer).front().value) / factor; };
-    }
-    if (!own.write) {
-        own.write = [=, step = fieldName(field)](double value) {
+    if (!own_.write) {
+        own_.write = [=, step = fieldName(field)](double value) {
             model->dragField(pointer, value * factor, step);
         };
     }
-    return own;
-}
-
-}  // namespace
-
-FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const SliderScale& scale,
-                         QWidget* parent, const SliderOwn& own)
-    : FieldSlider(completed(model, pointer, scale, own), scale, parent) {
-    slider()->setObjectName(own_.name + QStringLiteral("_slider"));
-    box()->setObjectName(own_.name);
-    setHint(own_.hint);
+    const QString name =
+        own.name.isEmpty() ? QString::fromStdString(std::string(field.key)) : own.name;
+    slider()->setObjectName(name + QStringLiteral("_slider"));
+    box()->setObjectName(name);
+    setHint(own.hint.isEmpty() ? fieldHint(field) : own.hint);
     setModel(model);
     connect(this, &ValueSlider::valueEdited, this, own_.write);
     // A drag is a step of its own: what keys moved before it is another.
-    connect(this, &ValueSlider::pressed, model, &SceneModel::finishDrag);
-    connect(this, &ValueSlider::released, model, &SceneModel::finishDrag);
+    connect(slider(), &QSlider::sliderPressed, model, &SceneModel::finishDrag);
+    connect(slider(), &QSlider::sliderReleased, model, &SceneModel::finishDrag);
     connect(slider(), &QSlider::sliderReleased, this, &FieldSlider::follow);
     connect(model, &SceneModel::changed, this, &FieldSlider::follow);
     connect(model, &SceneModel::rejected, this, [this](const QString& why) {
@@ -67,11 +52,6 @@ FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const SliderSca
     });
     follow();
 }
-
-FieldSlider::FieldSlider(const SliderOwn& own, const SliderScale& scale, QWidget* parent)
-    : ValueSlider(own.label, scale.min, scale.max, scale.step, scale.page, scale.decimals,
-                  unitText(own.unit.name), parent),
-      own_(own) {}
 
 void FieldSlider::follow() {
     const double value = own_.read();

@@ -3,16 +3,10 @@
 #include <functional>
 #include <utility>
 
-#include "numerics/units.h"
+#include "case-file/field.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
-
-/// Of a slider alone, in its unit: the ends between which a hand moves it, and its steps.
-struct SliderScale {
-    double min, max, step, page;
-    int decimals;
-};
 
 /// What a slider has of its own in place of what follows from its field, in its unit.
 struct SliderOwn {
@@ -44,7 +38,8 @@ class FieldSlider : public ValueSlider {
     void follow();
 
   private:
-    FieldSlider(const SliderOwn& own, const SliderScale& scale, QWidget* parent);
+    FieldSlider(SceneModel* model, const char* pointer, const Field& field,
+                const SliderScale& scale, QWidget* parent, const SliderOwn& own);
 
     SliderOwn own_;
 };

@@ -28,14 +28,9 @@ int wide(const QWidget* widget) {
 
 }  // namespace
 
-ValueSlider::ValueSlider(const QString& label, double min, double max, double step, double pageStep,
-                         int decimals, const QString& unit, QWidget* parent)
-    : QWidget(parent),
-      grid_(new QGridLayout(this)),
-      decimals_(decimals),
-      min_(min),
-      max_(max),
-      step_(step) {
+ValueSlider::ValueSlider(const QString& label, const SliderScale& scale, const QString& unit,
+                         QWidget* parent)
+    : QWidget(parent), grid_(new QGridLayout(this)), scale_(scale) {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setHorizontalSpacing(Theme::space);
     grid_->setVerticalSpacing(0);
@@ -45,10 +40,11 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     box_ = new NumberField(this);
     const ShownUnit shown = shownUnit(unit);
     box_->setShownUnit(shown);
-    if (decimals >= 0) {
-        box_->setPlaces(std::max(0, decimals + shown.decimals));
+    if (scale.decimals >= 0) {
+        box_->setPlaces(std::max(0, scale.decimals + shown.decimals));
     }
-    box_->setStep(shown.factor == 1.0 ? step : rounded_to_digits(step * shown.factor, 1));
+    box_->setStep(shown.factor == 1.0 ? scale.step
+                                      : rounded_to_digits(scale.step * shown.factor, 1));
     unit_ = new QLabel(shown.name, this);
     colourText(unit_, &Theme::mutedText);
     label_->setBuddy(box_);
@@ -57,7 +53,9 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     slider_->setAccessibleName(spoken);
     box_->setAccessibleName(spoken + QStringLiteral(", ") + shown.name);
     slider_->setSingleStep(1);
-    slider_->setPageStep(std::max(1, static_cast<int>(std::lround(pageStep / step))));
+    slider_->setPageStep(scale.stepsPerDecade > 0
+                             ? scale.stepsPerDecade
+                             : std::max(1, static_cast<int>(std::lround(scale.page / scale.step))));
     slider_->setFocusPolicy(Qt::StrongFocus);
     trouble_ = new TroubleLine(this);
     trouble_->watch(box_, false);
@@ -68,14 +66,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     grid_->addWidget(unit_, 0, 3);
     grid_->addWidget(trouble_, 2, 0, 1, 4);
     showRange();
-    connect(slider_, &QSlider::valueChanged, this, [this](int tick) {
-        // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001).
-        const double value = valueAt(tick);
-        const double parts = std::pow(10.0, decimals_);
-        edit(stepsPerDecade_ == 0 ? std::round(value * parts) / parts : value);
-    });
-    connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
-    connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
+    connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
     connect(box_, &NumberField::valueEdited, this,
             [this](std::optional<double> value) { edit(value.value_or(value_)); });
     connect(box_, &QLineEdit::returnPressed, this, [this] {
@@ -171,47 +162,42 @@ void ValueSlider::arrange() {
 }
 
 void ValueSlider::setRange(double min, double max) {
-    if (min != min_ || max != max_) {
-        min_ = min;
-        max_ = max;
+    if (min != scale_.min || max != scale_.max) {
+        scale_.min = min;
+        scale_.max = max;
         showRange();
     }
 }
 
 void ValueSlider::showRange() {
     const QSignalBlocker quiet(slider_);
-    slider_->setRange(0, tickOf(max_));
-    box_->setRange(Range::between(min_, max_), unit_->text());
+    slider_->setRange(0, tickOf(scale_.max));
+    box_->setRange(Range::between(scale_.min, scale_.max), unit_->text());
     const QFontMetrics metrics = box_->fontMetrics();
     constexpr int frame = 14;
-    const int widest = std::max({metrics.horizontalAdvance(box_->textOf(min_)),
-                                 metrics.horizontalAdvance(box_->textOf(max_)),
+    const int widest = std::max({metrics.horizontalAdvance(box_->textOf(scale_.min)),
+                                 metrics.horizontalAdvance(box_->textOf(scale_.max)),
                                  metrics.horizontalAdvance(QStringLiteral("000.00"))});
     box_->setFixedWidth(widest + frame);
-    setValue(std::clamp(value_, min_, max_));
-}
-
-void ValueSlider::setLogarithmic(int stepsPerDecade, int digits) {
-    stepsPerDecade_ = stepsPerDecade;
-    digits_ = digits;
-    slider_->setPageStep(stepsPerDecade);
-    showRange();
+    setValue(std::clamp(value_, scale_.min, scale_.max));
 }
 
 int ValueSlider::tickOf(double value) const {
-    if (stepsPerDecade_ > 0) {
-        return static_cast<int>(
-            std::lround(stepsPerDecade_ * std::log10(std::clamp(value, min_, max_) / min_)));
-    }
-    return static_cast<int>(std::lround((value - min_) / step_));
+    const auto [min, max, step, page, decimals, perDecade, digits] = scale_;
+    const double ticks = perDecade > 0 ? perDecade * std::log10(std::clamp(value, min, max) / min)
+                                       : (value - min) / step;
+    return static_cast<int>(std::lround(ticks));
 }
 
 double ValueSlider::valueAt(int tick) const {
-    if (stepsPerDecade_ > 0) {
-        const double value = min_ * std::pow(10.0, static_cast<double>(tick) / stepsPerDecade_);
-        return std::clamp(rounded_to_digits(value, digits_), min_, max_);
+    const auto [min, max, step, page, decimals, perDecade, digits] = scale_;
+    if (perDecade > 0) {
+        const double value = min * std::pow(10.0, static_cast<double>(tick) / perDecade);
+        return std::clamp(rounded_to_digits(value, digits), min, max);
     }
-    return std::min(max_, min_ + tick * step_);
+    // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001).
+    const double parts = std::pow(10.0, decimals);
+    return std::round(std::min(max, min + tick * step) * parts) / parts;
 }
 
 void ValueSlider::setHint(const QString& hint) {

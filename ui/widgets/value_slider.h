@@ -12,6 +12,17 @@ class NumberField;
 class SceneModel;
 class TroubleLine;
 
+/// How a slider moves a value, in the value's unit.
+struct SliderScale {
+    double min, max;  ///< the ends between which a hand moves it
+    double step, page;
+    int decimals;  ///< −1: as many as a value needs
+    /// Else it follows the value's logarithm in so many steps, a page is a decade, and the value is
+    /// rounded to significant digits; the ends are positive.
+    int stepsPerDecade = 0;
+    int digits = 0;
+};
+
 /// A slider with a field for one value: drag, arrow keys (one step), page keys (a larger step),
 /// wheel. Where the row is too narrow for a usable slider it is below label and field. The reason
 /// for a rejection is below, until another value is given.
@@ -19,18 +30,15 @@ class ValueSlider : public QWidget {
     Q_OBJECT
 
   public:
-    /// @param label  with & for the mnemonic; decimals: −1 for as many as a value needs
-    ValueSlider(const QString& label, double min, double max, double step, double pageStep,
-                int decimals, const QString& unit, QWidget* parent = nullptr);
+    /// @param label  with & for the mnemonic
+    ValueSlider(const QString& label, const SliderScale& scale, const QString& unit,
+                QWidget* parent = nullptr);
     ~ValueSlider() override;
 
     double value() const { return value_; }
     void setValue(double value);  ///< no signal
     void setRange(double min, double max);
     void setHint(const QString& hint);
-    /// The slider follows the value's logarithm: a step is one part of a decade. Values are rounded
-    /// to `digits` significant digits when the slider is moved. The range must be positive.
-    void setLogarithmic(int stepsPerDecade, int digits);
     QSlider* slider() const { return slider_; }
     NumberField* box() const { return box_; }
     /// Why the latest value is rejected; empty where it is not.
@@ -47,8 +55,6 @@ class ValueSlider : public QWidget {
   Q_SIGNALS:
     /// The user moved it.
     void valueEdited(double value);
-    void pressed();
-    void released();
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -73,13 +79,8 @@ class ValueSlider : public QWidget {
     bool folded_ = false;
     bool isPassing_ = false;
     bool isGiven_ = true;
-    int decimals_;  ///< where the slider moves it
-    double min_;
-    double max_;
-    double step_;
+    SliderScale scale_;
     double value_ = 0.0;
-    int stepsPerDecade_ = 0;  ///< 0: linear
-    int digits_ = 0;
 };
 
 }  // namespace ravnoves

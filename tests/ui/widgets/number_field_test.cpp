@@ -17,6 +17,8 @@
 namespace ravnoves {
 namespace {
 
+using namespace Qt::StringLiterals;
+
 class NumberFieldTest : public ::testing::Test {
   protected:
     NumberFieldTest() {
@@ -315,8 +317,7 @@ TEST(NumberText, WhatIsTypedToBeComputedIsComputed) {
 
 // The box shows a tenth of the unit at least; a soft spring has less.
 TEST(LogarithmicSlider, GoesUpFromLessThanItsBoxShows) {
-    ValueSlider slider(QStringLiteral("&c"), 0.02, 1e6, 0.1, 1.0, 1, QStringLiteral("kN/m"));
-    slider.setLogarithmic(50, 3);
+    ValueSlider slider(u"&c"_s, {0.02, 1e6, 0.1, 1.0, 1, 50, 3}, u"kN/m"_s);
     slider.setValue(0.02);
     QSignalSpy edited(&slider, &ValueSlider::valueEdited);
     QTest::keyClick(slider.slider(), Qt::Key_Right);
@@ -327,8 +328,7 @@ TEST(LogarithmicSlider, GoesUpFromLessThanItsBoxShows) {
 }
 
 TEST(LogarithmicSlider, GoesByDecades) {
-    ValueSlider slider(QStringLiteral("&c"), 1.0, 1e6, 0.1, 1.0, 1, QStringLiteral("kN/m"));
-    slider.setLogarithmic(50, 3);
+    ValueSlider slider(u"&c"_s, {1.0, 1e6, 0.1, 1.0, 1, 50, 3}, u"kN/m"_s);
     slider.setValue(20000.0);
     QSignalSpy edited(&slider, &ValueSlider::valueEdited);
     QTest::keyClick(slider.slider(), Qt::Key_PageDown);  // one decade

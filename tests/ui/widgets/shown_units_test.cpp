@@ -95,7 +95,7 @@ TEST_F(ShownUnits, OfAFieldIsWhatIsWrittenReadAndRejected) {
 }
 
 TEST_F(ShownUnits, OfASliderAreInItsBox) {
-    ValueSlider slider(u"&l"_s, 0.0, 254.0, 0.1, 10.0, 1, u"mm"_s);
+    ValueSlider slider(u"&l"_s, {0.0, 254.0, 0.1, 10.0, 1}, u"mm"_s);
     slider.setValue(127.0);
     EXPECT_EQ(slider.box()->text(), u"5.000"_s);
     EXPECT_EQ(slider.box()->unit(), u"in"_s);

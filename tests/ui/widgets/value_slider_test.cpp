@@ -29,7 +29,7 @@ class ValueSliderTest : public ::testing::Test {
         other.setParent(nullptr);
     }
 
-    ValueSlider slider{QStringLiteral("&Angle"), 0.0, 360.0, 0.1, 10.0, 1, QStringLiteral("°")};
+    ValueSlider slider{QStringLiteral("&Angle"), {0.0, 360.0, 0.1, 10.0, 1}, QStringLiteral("°")};
     QSignalSpy edited{&slider, &ValueSlider::valueEdited};
     QLineEdit other;
     QWidget window;
