@@ -23,10 +23,6 @@ namespace {
 
 const QString folderKey = QStringLiteral("files/folder");
 
-QString filterOf(const FileFormat& format) {
-    return QStringLiteral("%1 (*.%2)").arg(format.name, format.suffix);
-}
-
 bool endsIn(const QString& path, const QString& suffix) {
     return path.endsWith(QLatin1Char('.') + suffix, Qt::CaseInsensitive);
 }
@@ -57,8 +53,7 @@ FileChoosers& fileChoosers() {
 QString completedPath(const QString& typed, const QList<FileFormat>& formats, qsizetype chosen) {
     for (const FileFormat& format : formats) {
         // What ends a long suffix is as good: "x.json" for "case.json".
-        const QString last = format.suffix.section(QLatin1Char('.'), -1);
-        if (endsIn(typed, last)) {
+        if (endsIn(typed, format.suffix.section(QLatin1Char('.'), -1))) {
             return typed;
         }
     }
@@ -70,7 +65,7 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
     QStringList filters;
     QStringList suffixes;
     for (const FileFormat& format : formats) {
-        filters << filterOf(format);
+        filters << QStringLiteral("%1 (*.%2)").arg(format.name, format.suffix);
         suffixes << QLatin1Char('.') + format.suffix;
     }
     QString shown = QFileInfo(suggestion).isAbsolute()

@@ -315,18 +315,6 @@ TEST(NumberText, WhatIsTypedToBeComputedIsComputed) {
     EXPECT_FALSE(readTypedNumber(QStringLiteral("10-8"), {}).value) << "of a list or a scale";
 }
 
-// The box shows a tenth of the unit at least; a soft spring has less.
-TEST(LogarithmicSlider, GoesUpFromLessThanItsBoxShows) {
-    ValueSlider slider(u"&c"_s, {0.02, 1e6, 0.1, 1.0, 1, 50, 3}, u"kN/m"_s);
-    slider.setValue(0.02);
-    QSignalSpy edited(&slider, &ValueSlider::valueEdited);
-    QTest::keyClick(slider.slider(), Qt::Key_Right);
-    ASSERT_EQ(edited.size(), 1);
-    EXPECT_DOUBLE_EQ(slider.value(), 0.0209);
-    QTest::keyClick(slider.slider(), Qt::Key_Right);
-    EXPECT_DOUBLE_EQ(slider.value(), 0.0219);
-}
-
 TEST(LogarithmicSlider, GoesByDecades) {
     ValueSlider slider(u"&c"_s, {1.0, 1e6, 0.1, 1.0, 1, 50, 3}, u"kN/m"_s);
     slider.setValue(20000.0);
@@ -344,6 +332,13 @@ TEST(LogarithmicSlider, GoesByDecades) {
     // The box takes any value.
     test::type(slider.box(), QStringLiteral("1234.5"));
     EXPECT_DOUBLE_EQ(slider.value(), 1234.5);
+    // It shows a tenth of the unit at least; a soft spring has less.
+    ValueSlider soft(u"&c"_s, {0.02, 1e6, 0.1, 1.0, 1, 50, 3}, u"kN/m"_s);
+    soft.setValue(0.02);
+    for (const double next : {0.0209, 0.0219}) {
+        QTest::keyClick(soft.slider(), Qt::Key_Right);
+        EXPECT_DOUBLE_EQ(soft.value(), next);
+    }
 }
 
 TEST(NumberList, ReadsNumbersOneAfterTheOther) {
