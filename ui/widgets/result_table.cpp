@@ -318,18 +318,19 @@ void ResultTable::fitColumns() {
     const bool isSameWidth = std::exchange(fittedTo_, room) == room;
     const bool grows = isSameWidth && header_->length() <= room;
     room_ = isSameWidth ? room_ : Room::Plenty;
-    std::vector<int> widths(static_cast<std::size_t>(columnCount()));
+    const int minimum = Theme::withText(minOfWords);
+    QList<int> widths(columnCount());
     int sum = 0;
     while (true) {
         sum = 0;
         int cut = 0;  // what the words lack
         for (int column = 0; column < columnCount(); ++column) {
-            int& width = widths[static_cast<std::size_t>(column)];
+            int& width = widths[column];
             width = isColumnHidden(column) ? 0 : wantedWidth(column);
             if (stretched_.contains(column)) {
                 // Words that are long end in dots rather than take the numbers' room.
                 const int whole = width;
-                width = std::min(width, std::max(Theme::withText(minOfWords), 2 * room / 5));
+                width = std::min(width, std::max(minimum, 2 * room / 5));
                 cut += whole - width;
             } else if (grows) {
                 width = std::max(width, columnWidth(column));
@@ -342,34 +343,24 @@ void ResultTable::fitColumns() {
         }
         room_ = static_cast<Room>(static_cast<int>(room_) + 1);
     }
-    // Before the numbers scroll, words end in dots sooner.
-    const int minimum = Theme::withText(minOfWords);
-    int spare = 0;
-    int visibleColumns = 0;
-    for (int column = 0; column < columnCount(); ++column) {
-        visibleColumns += isColumnHidden(column) ? 0 : 1;
-        const int width = widths[static_cast<std::size_t>(column)];
-        spare += stretched_.contains(column) ? std::max(0, width - minimum) : 0;
-    }
-    const int over = sum - room;
-    for (int column = 0; column < columnCount() && over <= spare; ++column) {
-        int& width = widths[static_cast<std::size_t>(column)];
-        if (stretched_.contains(column) && sum > room && width > minimum) {
-            // Each its share, rounded up.
-            const int given = std::min(sum - room, (over * (width - minimum) + spare - 1) / spare);
-            width -= given;
-            sum -= given;
-        }
-    }
-    // Nor do they scroll where closer they have room.
-    constexpr int closer = padding - minPadding;
-    if (sum > room && sum - closer * visibleColumns <= room) {
+    // Takes what is over, where that is enough: of each its share, rounded up.
+    const auto narrow = [&](const auto& spareOf) {
+        const int over = sum - room;
+        int spare = 0;
         for (int column = 0; column < columnCount(); ++column) {
-            const int given = isColumnHidden(column) ? 0 : std::min(sum - room, closer);
-            widths[static_cast<std::size_t>(column)] -= given;
+            spare += spareOf(column);
+        }
+        for (int column = 0; column < columnCount() && sum > room && over <= spare; ++column) {
+            const int given = std::min(sum - room, (over * spareOf(column) + spare - 1) / spare);
+            widths[column] -= given;
             sum -= given;
         }
-    }
+    };
+    // Before the numbers scroll, words end in dots sooner; nor do they where closer they have room.
+    narrow([&](int column) {
+        return stretched_.contains(column) ? std::max(0, widths[column] - minimum) : 0;
+    });
+    narrow([&](int column) { return isColumnHidden(column) ? 0 : padding - minPadding; });
     const auto scrolls = [this] { return header_->length() > viewport()->width(); };
     const bool scrolled = scrolls();
     // The words share what is left.
@@ -378,7 +369,7 @@ void ResultTable::fitColumns() {
         static_cast<int>(std::count_if(stretched_.begin(), stretched_.end(),
                                        [this](int column) { return !isColumnHidden(column); }));
     for (int column = 0; column < columnCount(); ++column) {
-        int width = widths[static_cast<std::size_t>(column)];
+        int width = widths[column];
         if (stretched_.contains(column)) {
             width += left / std::max(1, shares) +
                      (column == stretched_.front() ? left % std::max(1, shares) : 0);
