@@ -84,17 +84,9 @@ void PlotView::stack(const QList<PlotView*>& plots) {
 }
 
 QList<LegendItem*> PlotView::shownLegend() const {
-    QList<LegendItem*> items;
-    for (LegendItem* item : legend_) {
-        if (item != nullptr && !item->isHidden()) {
-            items << item;
-        }
-    }
-    for (LegendItem* item : {spreadItem_, referenceItem_}) {
-        if (item != nullptr && !item->isHidden()) {
-            items << item;
-        }
-    }
+    QList<LegendItem*> items(legend_.begin(), legend_.end());
+    items << spreadItem_ << referenceItem_;
+    items.removeIf([](const LegendItem* item) { return item == nullptr || item->isHidden(); });
     return items;
 }
 

@@ -40,7 +40,7 @@ void PlotView::renderTo(QPainter& painter, const QRectF& target) {
     painter.scale(target.width() / width(), target.height() / height());
     drawChart(painter);
     for (const LegendItem* item : shownLegend()) {
-        if (item != nullptr && item->isChecked() && !item->isHidden()) {
+        if (item->isChecked()) {
             item->draw(painter, QRectF(item->geometry()));
         }
     }

@@ -372,17 +372,15 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         spoken += QStringLiteral(", ") + unit;
     }
     field->setAccessibleName(spoken);
-    const bool isNumber = qobject_cast<NumberField*>(field) != nullptr;
-    if (unit.isEmpty() && !isNumber) {
+    if (unit.isEmpty() && qobject_cast<NumberField*>(field) == nullptr) {
         grid_->addWidget(new NamedRow(name, field, this), row_, 0, 1, 3);
-    } else if (unit.isEmpty()) {
-        grid_->addWidget(name, row_, 0);
-        grid_->addWidget(field, row_, 1, Qt::AlignRight);  // under those that have a unit
     } else {
         grid_->addWidget(name, row_, 0);
         // A field narrower than its column is at its unit, under the fields of other sections.
-        const bool narrow = field->maximumWidth() < QWIDGETSIZE_MAX;
+        const bool narrow = unit.isEmpty() || field->maximumWidth() < QWIDGETSIZE_MAX;
         grid_->addWidget(field, row_, 1, narrow ? Qt::AlignRight : Qt::Alignment());
+    }
+    if (!unit.isEmpty()) {
         auto* unitLabel = new QLabel(unit, this);
         colourText(unitLabel, &Theme::mutedText);
         grid_->addWidget(unitLabel, row_, 2);
