@@ -44,11 +44,6 @@ bool drawOn(QPaintDevice& device, const DrawPicture& draw) {
     return painter.end();
 }
 
-bool drawSvg(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {
-    ClippedSvg device(out, size, title);
-    return drawOn(device, draw);
-}
-
 bool drawPdf(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {
     QPdfWriter writer(&out);
     writer.setResolution(static_cast<int>(screenDots));
@@ -80,7 +75,8 @@ QString writePicture(const QString& path, const QSize& size, const QString& titl
     whole.open(QIODevice::WriteOnly);
     bool isDrawn = false;
     if (endsIn(path, ".svg")) {
-        isDrawn = drawSvg(whole, size, title, draw);
+        ClippedSvg device(whole, size, title);
+        isDrawn = drawOn(device, draw);
     } else if (endsIn(path, ".pdf")) {
         isDrawn = drawPdf(whole, size, title, draw);
     } else if (endsIn(path, ".png")) {

@@ -69,6 +69,8 @@ class Scrolled final : public QScrollArea {
                 name != accessibleName()) {
                 setAccessibleName(name);
             }
+        } else if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {
+            update();
         }
         return done;
     }
@@ -77,14 +79,6 @@ class Scrolled final : public QScrollArea {
             giveRoom();
         }
         return QScrollArea::eventFilter(watched, event);
-    }
-    void focusInEvent(QFocusEvent* event) override {
-        QScrollArea::focusInEvent(event);
-        update();
-    }
-    void focusOutEvent(QFocusEvent* event) override {
-        QScrollArea::focusOutEvent(event);
-        update();
     }
 
   private:
@@ -119,8 +113,7 @@ class Scrolled final : public QScrollArea {
     }
 
     bool hasStop() const {
-        const auto inside = widget()->findChildren<QWidget*>();
-        return std::any_of(inside.begin(), inside.end(), [](const QWidget* each) {
+        return std::ranges::any_of(widget()->findChildren<QWidget*>(), [](const QWidget* each) {
             return (each->focusPolicy() & Qt::TabFocus) != 0;
         });
     }

@@ -210,15 +210,13 @@ bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
     }
     if (watched == view_ && event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        const bool isPaste = key->matches(QKeySequence::Paste);
-        const bool isCopy = key->matches(QKeySequence::Copy);
-        if (isPaste) {
+        if (key->matches(QKeySequence::Paste)) {
             try {
                 paste();
             } catch (const std::bad_alloc&) {
                 say(errorText(std::current_exception()), true);
             }
-        } else if (isCopy) {
+        } else if (key->matches(QKeySequence::Copy)) {
             copy();
         } else if (key->matches(QKeySequence::Undo) || key->key() == Qt::Key_Escape) {
             return takeBackRejected();
