@@ -4950,7 +4950,7 @@
     </message>
     <message>
         <source>Rod hinge guide</source>
-        <translation>Направляющая шарнира шатуна</translation>
+        <translation>Направляющая шатуна</translation>
     </message>
     <message>
         <source>Proposed guide</source>
@@ -5366,7 +5366,7 @@
     </message>
     <message>
         <source>Crank guide with the rod hinge</source>
-        <translation>Направляющая кривошипа при шарнире шатуна</translation>
+        <translation>Кривошип с шарниром</translation>
     </message>
     <message>
         <source>Minimum |ℓ₀/2 − ρ₀| to store the energy.</source>
@@ -17049,6 +17049,10 @@ but at this l no α is feasible</source>
 </context>
 <context>
     <name>ravnoves::WorkshopModel</name>
+    <message>
+        <source>Entries not accepted</source>
+        <translation>Непринятые значения</translation>
+    </message>
     <message>
         <source>Parts as weighed</source>
         <translation>Детали как взвешены</translation>

@@ -137,7 +137,7 @@ class PlotView : public QWidget {
             updateChart();
         }
     }
-    /// An entry that switches what is no curve.
+    /// An entry that switches something else than a curve.
     LegendItem* addSwitch(bool& shown, plot::Shape shape);
     /// The entry of a curve, made where it has none yet.
     void dressLegend(std::size_t number);

@@ -17,8 +17,8 @@ struct SliderScale {
     double min, max;  ///< the ends between which a hand moves it
     double step, page;
     int decimals;  ///< −1: as many as a value needs
-    /// Else it follows the value's logarithm in so many steps, a page is a decade, and the value is
-    /// rounded to significant digits; the ends are positive.
+    /// Else it follows the value's logarithm in steps of this number, a page is a decade, and the
+    /// value is rounded to significant digits; the ends are positive.
     int stepsPerDecade = 0;
     int digits = 0;
 };

@@ -138,7 +138,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// True where both of its readings are whole.
     bool isRunRead() const;
     bool isPlanned() const;
-    /// Empty where there is none.
+    /// Empty without one.
     bob_weights::Reading reading(std::size_t run, std::size_t plane) const;
     /// Where the readings of a plane are in the case, as a pointer to what follows it.
     std::string readingPlace(std::size_t run, std::size_t plane) const;
