@@ -19,7 +19,6 @@
 
 #include "model/background_job.h"
 #include "page/rejected_entries.h"
-#include "page/rejected_verdict.h"
 #include "pictures/file_dialogs.h"
 #include "shop/model/verdict.h"
 #include "shop/scale_input.h"
@@ -180,7 +179,7 @@ JobDesk* WorkshopPage::desk() const {
 }
 
 void WorkshopPage::showVerdict() {
-    const Verdict verdict = withRejected(model_->verdictShown().value(), *model_);
+    const Verdict verdict = model_->shown().verdictShown().value();
     verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
                             : verdict.act == workshop::drilled_act ? tr("Correct the drilled holes")
                                                                    : QString());

@@ -1111,7 +1111,7 @@ TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
     type("piston", u"58x"_s);
     EXPECT_TRUE(has(label("rejected"), u"One piston"_s));
     EXPECT_TRUE(isAmber("headline"));
-    EXPECT_TRUE(label("verdict").startsWith(u"Results use the previous value of the red field."_s));
+    EXPECT_TRUE(label("verdict").startsWith(u"STOP. Entries not accepted: One piston"_s));
     EXPECT_FALSE(find<QLabel>("headline")->font().bold());
     EXPECT_EQ(page.focusWidget(), field("piston")) << "Enter does not pass it over";
     // The tab says so, wherever one is.
