@@ -20,10 +20,8 @@ Number shown(const Field& field, double si) {
     return {from_si(field, si), field.unit};
 }
 
-/// A bound with the digits that tell it from what was found.
-Number bound(const Field& field, double limit, double found) {
-    const bool is_near = std::abs(limit - std::abs(found)) < 1e-4 * std::abs(limit);
-    return {from_si(field, limit), field.unit, is_near ? 11 : 6};
+Number shown_bound(const Field& field, double limit, double found) {
+    return bound(from_si(field, limit), from_si(field, found), field.unit);
 }
 
 void check_masses(const Input& input) {
@@ -112,12 +110,13 @@ void check_rod(const Input& input) {
             throw InputError(
                 pointer(field::offset, parent),
                 {Text::tr("must be less than %1 in magnitude, the rod length minus crank radius"),
-                 bound(field::offset, input.effective_rod_length() - input.crank_radius, offset)},
+                 shown_bound(field::offset, input.effective_rod_length() - input.crank_radius,
+                             offset)},
                 shown(field::offset, offset));
         }
         throw InputError(pointer(field::rod_length, parent),
                          {Text::tr("must be greater than the crank radius plus the offset, %1"),
-                          bound(field::rod_length, minimum, input.effective_rod_length())},
+                          shown_bound(field::rod_length, minimum, input.effective_rod_length())},
                          shown(field::rod_length, input.effective_rod_length()));
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <string>
 #include <string_view>
@@ -24,6 +25,12 @@ struct Number {
 /// A size as most messages show it.
 inline Number in_mm(double length) {
     return {length / units::mm, units::mm, 4};
+}
+
+/// A bound of an amount with the digits that tell it from the number found, both in the unit.
+inline Number bound(double limit, double found, const Unit& unit) {
+    const bool is_near = std::abs(std::abs(limit) - std::abs(found)) < 1e-4 * std::abs(limit);
+    return {limit, unit, is_near ? 11 : 6};
 }
 
 class Message;

@@ -47,11 +47,6 @@ void check_table(const Input& input) {
     }
 }
 
-/// A bound with the digits that tell it from what was found.
-Number bound(double limit, double found) {
-    return {limit, units::mm, std::abs(limit - found) < 1e-4 * std::abs(limit) ? 11 : 6};
-}
-
 void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
     const auto locking = find_locking(input.crank_radius, input.ratio(), cylinders);
     if (!locking) {
@@ -64,7 +59,7 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
             "/input/rod_length_mm",
             {Text::tr("must be greater than the crank radius, %1; %2"),
              bound(from_si(field::crank_radius, input.crank_radius / (1.0 - nearest_to_locking)),
-                   from_si(field::rod_length, input.rod_length())),
+                   from_si(field::rod_length, input.rod_length()), units::mm),
              describe(*locking)},
             Number{from_si(field::rod_length, input.rod_length())});
     }
@@ -82,8 +77,8 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
     throw InputError(
         pointer,
         {Text::tr("must be less than %1 in magnitude (rod length minus crank radius); %2"),
-         bound(limit, std::abs(offset)), describe(*locking)},
-        bound(offset, std::copysign(limit, offset)));
+         bound(limit, offset, units::mm), describe(*locking)},
+        bound(offset, limit, units::mm));
 }
 
 /// What joins articulated rods with the rest: a rod as a rigid body, the rotating mass, locking.
