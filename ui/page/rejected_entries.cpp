@@ -28,9 +28,14 @@ Widget* pageOf(Widget* part) {
     return part;
 }
 
+/// Of a page; null of a window.
+const SceneModel* modelOf(const QWidget* part) {
+    return part->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly);
+}
+
 /// What has rejected texts: of a page also tables in windows beside it, of a window its tables.
 QList<QObject*> rejectedIn(const QWidget* part) {
-    if (const auto* model = part->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly)) {
+    if (const SceneModel* model = modelOf(part)) {
         return model->rejectedIn();
     }
     QList<QObject*> tables;
@@ -97,7 +102,7 @@ QString rejectedWords(const QWidget* part) {
     if (rejected.isEmpty()) {
         return {};
     }
-    const auto* model = pageOf(part)->findChild<SceneModel*>({}, Qt::FindDirectChildrenOnly);
+    const SceneModel* model = modelOf(pageOf(part));
     return (model != nullptr && !model->stopText().isEmpty()
                 ? RejectedEntries::tr("These entries were not accepted and are left out:")
                 : RejectedEntries::tr(

@@ -123,11 +123,14 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
         setExaggeration(value == QLatin1String("auto") ? std::nullopt
                                                        : std::optional(readNumber(key, value)));
     } else if (key == QLatin1String("guide_shown")) {
-        setShownHinge(static_cast<Hinge>(
-            oneOf(key, value, QStringLiteral("crank crank-with-rod rod").split(QLatin1Char(' ')))));
+        setShownHinge(static_cast<Hinge>(oneOf(
+            key, value,
+            {QStringLiteral("crank"), QStringLiteral("crank-with-rod"), QStringLiteral("rod")})));
     } else if (key == QLatin1String("animate")) {
-        setAnimated(static_cast<Animated>(oneOf(
-            key, value, QStringLiteral("none crank both off-design").split(QLatin1Char(' ')))));
+        setAnimated(
+            static_cast<Animated>(oneOf(key, value,
+                                        {QStringLiteral("none"), QStringLiteral("crank"),
+                                         QStringLiteral("both"), QStringLiteral("off-design")})));
     } else {
         return false;
     }

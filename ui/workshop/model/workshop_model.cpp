@@ -332,9 +332,10 @@ bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
     if (key != QLatin1String("sheet")) {
         return false;
     }
-    Q_EMIT sheetChosen(oneOf(
-        key, value,
-        QStringLiteral("job parts weigh-in plugs machine correction").split(QLatin1Char(' '))));
+    Q_EMIT sheetChosen(
+        oneOf(key, value,
+              {QStringLiteral("job"), QStringLiteral("parts"), QStringLiteral("weigh-in"),
+               QStringLiteral("plugs"), QStringLiteral("machine"), QStringLiteral("correction")}));
     return true;
 }
 

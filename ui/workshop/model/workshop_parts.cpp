@@ -156,17 +156,26 @@ Results inWords(const WorkshopModel& model) {
     return (model.*make)(Words());
 }
 
+/// Of what is to be drilled, which a rejected entry stops.
+template <auto make>
+Content ofShown(const WorkshopModel& model) {
+    return made<make>(model.shown());
+}
+
+Results holes(const WorkshopModel& model) {
+    return model.holeResults();
+}
+
 using Maker = PartMaker<WorkshopModel>;
 constexpr std::array makers{
     Maker{{.id = "notes", .isAnswer = true},
           [](const WorkshopModel& model) -> Content { return linesOf(model, "notes"); }},
-    Maker{{.id = "planes", .isAnswer = true}, made<inWords<&WorkshopModel::planeResults>>},
-    Maker{{.id = "holes", .isAnswer = true},
-          [](const WorkshopModel& model) -> Content { return model.holeResults(); }},
+    Maker{{.id = "planes", .isAnswer = true}, ofShown<inWords<&WorkshopModel::planeResults>>},
+    Maker{{.id = "holes", .isAnswer = true}, ofShown<holes>},
     Maker{{.id = "hole-notes", .isAnswer = true},
           [](const WorkshopModel& model) -> Content { return linesOf(model, "hole-notes"); }},
-    Maker{{.id = "runs", .isAnswer = true}, made<&WorkshopModel::runResults>},
-    Maker{{.id = "drilled", .isAnswer = true}, made<inWords<&WorkshopModel::drilledResults>>},
+    Maker{{.id = "runs", .isAnswer = true}, ofShown<&WorkshopModel::runResults>},
+    Maker{{.id = "drilled", .isAnswer = true}, ofShown<inWords<&WorkshopModel::drilledResults>>},
     Maker{{.id = "options", .isAnswer = true}, made<&WorkshopModel::optionResults>},
     Maker{{.id = "lines", .isAnswer = true}, made<inWords<&WorkshopModel::lineResults>>},
     Maker{{.id = "force"}, made<force>},
@@ -271,9 +280,7 @@ std::span<const PagePart> workshopParts() {
 }
 
 Content workshopPart(const WorkshopModel& model, std::string_view id) {
-    constexpr std::string_view ofCorrection[] = {"planes", "holes", "runs", "drilled"};
-    const bool isOfCorrection = std::ranges::find(ofCorrection, id) != std::end(ofCorrection);
-    return makePart(makers, isOfCorrection ? model.shown() : model, id);
+    return makePart(makers, model, id);
 }
 
 }  // namespace ravnoves
