@@ -232,6 +232,7 @@ class SceneModel : public QObject {
     /// The text typed until now is saved: Escape returns to it, though the editing continues.
     void keepForSaving() {
         finishDrag();
+        leaveOutRejected();
         Q_EMIT typedKept();
     }
     bool hasChanges() const { return !history_.isClean(); }

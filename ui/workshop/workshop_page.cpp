@@ -520,9 +520,7 @@ bool WorkshopPage::store(bool isFinished) {
     }
     bool saved = false;
     // What is not what is on the sheet is no finished job.
-    const bool isWhole = rejectedEntries(this).isEmpty();
-    model_->leaveOutRejected();
-    const QString text = desk()->saveJob(&saved, isFinished && isWhole);
+    const QString text = desk()->saveJob(&saved, isFinished && rejectedEntries(this).isEmpty());
     Q_EMIT status(saved ? text : QString());
     if (saved) {
         say({});

@@ -1083,6 +1083,16 @@ TEST_F(ReadJobTest, ARejectedNameOfThePlanesStopsThePlan) {
     EXPECT_GT(rowsOf("Holes and slugs"), 0);
 }
 
+TEST_F(ReadJobTest, AFileHasNoValueFromBeforeARejectedEntry) {
+    type("unbalance_1", u"26o0"_s);
+    CaseDocument document(model);
+    const QString path = QDir(folder.path()).filePath(u"a.case.json"_s);
+    ASSERT_EQ(document.saveTo(path), QString());
+    const Json readings = CaseDocument::read(path).input.at("correction").at("readings");
+    EXPECT_FALSE(readings[0].contains("unbalance_g_mm"));
+    EXPECT_EQ(readings[1].at("unbalance_g_mm"), 1450);
+}
+
 TEST_F(ReadJobTest, AJobIsSavedWithoutTheValueBeforeARejectedEntry) {
     typeLimit(u"300"_s);
     type("engine_number", u"54"_s);
