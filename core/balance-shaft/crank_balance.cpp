@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/engine_torque.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
@@ -18,7 +17,7 @@ CrankBalance crank_balance(const Solver& solver) {
     balance.first_order = input.reciprocating_mass() * first_order.radius * omega2;
     balance.across = balance.share * centred;
     balance.along = balance.first_order - balance.across;
-    balance.dead_centre = slider_crank(input).top_dead_centre();
+    balance.dead_centre = solver.moments().top;
     balance.lag = first_order.lag;
     balance.largest = std::max(std::abs(balance.along), balance.across);
     balance.counterweight_moment = balance.share * input.reciprocating_mass() * input.crank_radius;

@@ -92,12 +92,12 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double c
     if (cycle_.heat) {
         heat_ = *cycle_.heat;
     } else {
-        const Parts done = work();
-        heat_ = (cycle_.imep.value_or(0.0) * displacement_ - done.motored) / done.per_heat;
+        const double motored = work({1.0, 0.0});
+        heat_ = (cycle_.imep.value_or(0.0) * displacement_ - motored) / work({0.0, 1.0});
         if (!(heat_ >= 0.0) || !std::isfinite(heat_)) {
             throw InputError("/input/torque/cycle/indicated_mean_effective_pressure_bar",
                              {Text::tr("must be at least %1, the value of the cycle without heat"),
-                              Number{done.motored / displacement_ / units::bar, {}, 6}},
+                              Number{motored / displacement_ / units::bar, {}, 6}},
                              Number{cycle_.imep.value_or(0.0) / units::bar});
         }
     }
@@ -202,36 +202,25 @@ std::vector<double> CylinderGas::breaks_deg() const {
     return places;
 }
 
-CylinderGas::Parts CylinderGas::work() const {
+double CylinderGas::work(const Parts& weight) const {
+    const auto integrand = [&](double angle) {
+        const PistonMotion<double> motion = crank_.at(angle + top_dead_centre_);
+        const Parts pressure = pressure_parts(angle, volume_above(motion.s));
+        return -area_ * motion.ds *
+               (weight.motored * pressure.motored + weight.per_heat * pressure.per_heat);
+    };
     // Between the breaks the integrand is smooth: 7 nodes on 5° are exact to rounding.
     std::vector<double> ends = breaks_;
     ends.push_back(0.0);
     ends.push_back(period_);
     std::sort(ends.begin(), ends.end());
-    using Rule = gauss<double, 7>;
-    Parts sum;
-    const auto add = [&](double angle, double weight) {
-        const PistonMotion<double> motion = crank_.at(angle + top_dead_centre_);
-        const Parts pressure = pressure_parts(angle, volume_above(motion.s));
-        const double swept = -weight * area_ * motion.ds;
-        sum.motored += swept * pressure.motored;
-        sum.per_heat += swept * pressure.per_heat;
-    };
+    double sum = 0.0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const double h = ends[i + 1] - ends[i];
-        if (h <= 0.0) {
-            continue;
-        }
-        const int parts = std::max(1, static_cast<int>(std::ceil(h / (5.0 * degree))));
-        const double half = h / parts / 2.0;
+        const int parts = static_cast<int>(std::ceil(h / (5.0 * degree)));
         for (int k = 0; k < parts; ++k) {
-            const double middle = ends[i] + (2 * k + 1) * half;
-            add(middle, Rule::weights()[0] * half);
-            for (std::size_t node = 1; node < Rule::abscissa().size(); ++node) {
-                const double step = Rule::abscissa()[node] * half;
-                add(middle - step, Rule::weights()[node] * half);
-                add(middle + step, Rule::weights()[node] * half);
-            }
+            sum += gauss<double, 7>::integrate(integrand, ends[i] + h * k / parts,
+                                               ends[i] + h * (k + 1) / parts);
         }
     }
     return sum;
@@ -244,7 +233,7 @@ IndicatedCycle CylinderGas::indicated() const {
         result.clearance = clearance_;
         result.heat = heat_;
     }
-    result.work = of(work());
+    result.work = work({1.0, heat_});
     result.imep = result.work / displacement_;
     constexpr int samples = 1440;
     const double step = period_ / samples;

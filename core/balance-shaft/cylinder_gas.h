@@ -103,7 +103,7 @@ class CylinderGas {
     Parts closed_pressure(double angle, double volume) const;
     double wiebe_integral(double from, double to) const;
     double released_integral(double angle) const;
-    Parts work() const;
+    double work(const Parts& weight) const;  ///< of the parts so weighted, J
 
     SliderCrank<double> crank_;
     double crankcase_pressure_ = 0.0;  ///< p₀, Pa

@@ -1,7 +1,9 @@
 #include "balance-shaft/fields.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <functional>
 
 #include "balance-shaft/input.h"
 #include "case-file/field_visitor.h"
@@ -185,53 +187,62 @@ void visit_file(FieldVisitor& visitor, DataFile& file, Measured what) {
     }
 }
 
-void visit_torque(FieldVisitor& visitor, Input& input) {
+/// @param several   whether the object may have more than one
+/// @param is_there  of a kind, for other visitors than the reader
+/// @return how many it has
+int visit_sources(FieldVisitor& visitor, TorqueSource& source, bool several,
+                  const std::function<bool(TorqueSource::Kind)>& is_there) {
     using Kind = TorqueSource::Kind;
-    TorqueSource& source = input.torque;
-    int given = 0;
     const auto visit_crankcase = [&] {
         visitor.number(field::crankcase_pressure, source.crankcase_pressure,
                        TorqueSource{}.crankcase_pressure);
     };
+    const auto has = [&](const Field& field, Kind kind) {
+        return visitor.has(field.key, is_there(kind));
+    };
+    const bool angles = has(field::table_angle, Kind::table);
+    const bool table = has(field::table_torque, Kind::table) || angles;
+    const bool csv = has(field::csv, Kind::csv);
+    const bool pressure = has(field::pressure, Kind::pressure);
+    const bool cycle = has(field::cycle, Kind::cycle);
+    const int given = table + csv + pressure + cycle;
+    if (visitor.is_reading() && !several) {
+        if (given != 1) {
+            return given;  // a misspelt key is named first
+        }
+        source.kind = csv        ? Kind::csv
+                      : pressure ? Kind::pressure
+                      : cycle    ? Kind::cycle
+                                 : Kind::table;
+    }
+    if (table) {
+        visitor.numbers(field::table_angle, source.table.crank_angle_deg);
+        visitor.numbers(field::table_torque, source.table.torque);
+    }
+    if (csv) {
+        visit_file(visitor, source.csv, Measured::torque);
+    }
+    if (pressure) {
+        visitor.object_of(field::pressure, true, true, [&] {
+            visit_file(visitor, source.trace_file, Measured::pressure);
+            visitor.number(field::trace_shift, source.trace_shift, 0.0);
+            visit_crankcase();
+        });
+    }
+    if (cycle) {
+        visitor.object_of(field::cycle, true, true, [&] {
+            visit_crankcase();
+            visit_cycle(visitor, source.cycle);
+        });
+    }
+    return given;
+}
+
+void visit_torque(FieldVisitor& visitor, TorqueSource& source) {
+    int given = 0;
     visitor.object_of(field::torque, true, true, [&] {
-        const auto has = [&](const Field& field, Kind kind) {
-            return visitor.has(field.key, source.kind == kind);
-        };
-        const bool angles = has(field::table_angle, Kind::table);
-        const bool table = has(field::table_torque, Kind::table) || angles;
-        const bool csv = has(field::csv, Kind::csv);
-        const bool pressure = has(field::pressure, Kind::pressure);
-        const bool cycle = has(field::cycle, Kind::cycle);
-        given = table + csv + pressure + cycle;
-        if (visitor.is_reading()) {
-            if (given != 1) {
-                return;  // a misspelt key is named first
-            }
-            source.kind = csv        ? Kind::csv
-                          : pressure ? Kind::pressure
-                          : cycle    ? Kind::cycle
-                                     : Kind::table;
-        }
-        if (table) {
-            visitor.numbers(field::table_angle, source.table.crank_angle_deg);
-            visitor.numbers(field::table_torque, source.table.torque);
-        }
-        if (csv) {
-            visit_file(visitor, source.csv, Measured::torque);
-        }
-        if (pressure) {
-            visitor.object_of(field::pressure, true, true, [&] {
-                visit_file(visitor, source.trace_file, Measured::pressure);
-                visitor.number(field::trace_shift, source.trace_shift, 0.0);
-                visit_crankcase();
-            });
-        }
-        if (cycle) {
-            visitor.object_of(field::cycle, true, true, [&] {
-                visit_crankcase();
-                visit_cycle(visitor, source.cycle);
-            });
-        }
+        given = visit_sources(visitor, source, false,
+                              [&](TorqueSource::Kind kind) { return source.kind == kind; });
     });
     if (visitor.is_reading() && given != 1) {
         throw InputError(
@@ -243,6 +254,30 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
 }
 
 }  // namespace
+
+bool TorqueSource::keeps(Kind other) const {
+    const bool has_file = !csv.name.empty();
+    switch (other) {
+        case Kind::csv:
+            return is_computed() && has_file;
+        case Kind::table:
+            return is_computed() && !has_file && table.size() > 0;
+        case Kind::pressure:
+            return kind != other && !trace_file.name.empty();
+        case Kind::cycle:
+            return kind != other && (cycle.heat || cycle.imep);
+    }
+    return false;
+}
+
+void visit_kept(FieldVisitor& visitor, TorqueSource& source) {
+    using Kind = TorqueSource::Kind;
+    const auto is_kept = [&](Kind kind) { return source.keeps(kind); };
+    const bool any = std::ranges::any_of(
+        std::array{Kind::table, Kind::csv, Kind::pressure, Kind::cycle}, is_kept);
+    visitor.object_of(field::torque, false, any,
+                      [&] { visit_sources(visitor, source, true, is_kept); });
+}
 
 void visit_fields(FieldVisitor& visitor, CylinderSizes& sizes) {
     visitor.number(field::bore, sizes.bore);
@@ -326,7 +361,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.number(field::centre_distance, input.centre_distance);
     visitor.number(field::shaft_angle, input.shaft_angle);
     visitor.integer(field::strokes, input.strokes, 4);
-    visit_torque(visitor, input);
+    visit_torque(visitor, input.torque);
     visitor.choice(field::interpolation, input.interpolation, Interpolation::linear,
                    Written::always);
     visitor.number(field::step, input.step_deg, 1.0, Written::always);

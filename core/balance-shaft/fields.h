@@ -160,69 +160,52 @@ inline constexpr Field crank_share{
                      "describes an ellipse: a line at 0 and 1, a circle at ½.")};
 
 inline constexpr Field envelope{.key = "envelope", .hint = Text::tr("Sizes of the front view.")};
-inline constexpr Field cylinder_top{
-    .key = "cylinder_top_mm",
-    .range = Range::greater_than(0),
-    .size = engine_lengths,
-    .label = Text::tr("Cylinder &top"),
-    .hint = Text::tr("Top of the engine above the crank axis."),
-    .if_empty = Text::tr("the piston pin at top dead centre plus half the bore"),
-    .placeholder = Text::tr("auto")};
-inline constexpr Field cylinder_bottom{
-    .key = "cylinder_bottom_mm",
-    .range = Range::at_least(0),
-    .size = some_lengths,
-    .label = Text::tr("Cylinder bott&om"),
-    .hint = Text::tr("Lower end of the cylinder above the crank axis."),
-    .if_empty = Text::tr("the piston pin at bottom dead centre minus 0.3 of the bore"),
-    .placeholder = Text::tr("auto")};
-inline constexpr Field cylinder_wall{
-    .key = "cylinder_wall_mm",
-    .range = Range::at_least(0),
-    .size = some_lengths,
-    .label = Text::tr("C&ylinder wall"),
-    .hint = Text::tr("Thickness of the cylinder wall; the shaft must clear it."),
-    .if_empty = Text::tr("0.06 of the bore"),
-    .placeholder = Text::tr("auto")};
-inline constexpr Field rod_width{
-    .key = "rod_width_mm",
-    .range = Range::greater_than(0),
-    .size = engine_lengths,
-    .label = Text::tr("Rod widt&h"),
-    .hint = Text::tr(
+/// One that follows from the others where it is empty.
+constexpr Field front_size(const char* key, const Range& size, Text label, Text hint,
+                           Text if_empty) {
+    return {.key = key,
+            .range = size.min > 0.0 ? Range::greater_than(0) : Range::at_least(0),
+            .size = size,
+            .label = label,
+            .hint = hint,
+            .if_empty = if_empty,
+            .placeholder = Text::tr("auto")};
+}
+inline constexpr Field cylinder_top =
+    front_size("cylinder_top_mm", engine_lengths, Text::tr("Cylinder &top"),
+               Text::tr("Top of the engine above the crank axis."),
+               Text::tr("the piston pin at top dead centre plus half the bore"));
+inline constexpr Field cylinder_bottom =
+    front_size("cylinder_bottom_mm", some_lengths, Text::tr("Cylinder bott&om"),
+               Text::tr("Lower end of the cylinder above the crank axis."),
+               Text::tr("the piston pin at bottom dead centre minus 0.3 of the bore"));
+inline constexpr Field cylinder_wall =
+    front_size("cylinder_wall_mm", some_lengths, Text::tr("C&ylinder wall"),
+               Text::tr("Thickness of the cylinder wall; the shaft must clear it."),
+               Text::tr("0.06 of the bore"));
+inline constexpr Field rod_width = front_size(
+    "rod_width_mm", engine_lengths, Text::tr("Rod widt&h"),
+    Text::tr(
         "Width of the rod in the front view, including its ends; the shaft must clear the rod."),
-    .if_empty = Text::tr("r / 2"),
-    .placeholder = Text::tr("auto")};
+    Text::tr("r / 2"));
 inline constexpr Field clearance{
     .key = "clearance_mm",
     .range = Range::at_least(0),
     .size = some_lengths,
     .label = Text::tr("Clearance to sha&ft"),
     .hint = Text::tr("Minimum clearance of the shaft's swing circle to crank, rod and cylinder.")};
-inline constexpr Field crank_swing_radius{
-    .key = "crank_swing_radius_mm",
-    .range = Range::greater_than(0),
-    .size = engine_lengths,
-    .label = Text::tr("Crank swing radi&us"),
-    .hint = Text::tr("Circle swept by crank and counterweight."),
-    .if_empty = Text::tr("r plus half the rod's width, at least the shaft's default"),
-    .placeholder = Text::tr("auto")};
-inline constexpr Field shaft_swing_radius{
-    .key = "shaft_swing_radius_mm",
-    .range = Range::greater_than(0),
-    .size = engine_lengths,
-    .label = Text::tr("Shaft swin&g radius"),
-    .hint = Text::tr("Circle swept by the balance shaft."),
-    .if_empty = Text::tr("the bar of the relieved shaft, else a steel half disc as long as the "
-                         "bore with the unbalance m₁ ρ₁"),
-    .placeholder = Text::tr("auto")};
-inline constexpr Field gear_tip_radius{.key = "gear_tip_radius_mm",
-                                       .range = Range::greater_than(0),
-                                       .size = engine_lengths,
-                                       .label = Text::tr("Gear tip r&adius"),
-                                       .hint = Text::tr("Tip circle of each of the two gears."),
-                                       .if_empty = Text::tr("l/2, the pitch circle"),
-                                       .placeholder = Text::tr("auto")};
+inline constexpr Field crank_swing_radius =
+    front_size("crank_swing_radius_mm", engine_lengths, Text::tr("Crank swing radi&us"),
+               Text::tr("Circle swept by crank and counterweight."),
+               Text::tr("r plus half the rod's width, at least the shaft's default"));
+inline constexpr Field shaft_swing_radius =
+    front_size("shaft_swing_radius_mm", engine_lengths, Text::tr("Shaft swin&g radius"),
+               Text::tr("Circle swept by the balance shaft."),
+               Text::tr("the bar of the relieved shaft, else a steel half disc as long as the bore "
+                        "with the unbalance m₁ ρ₁"));
+inline constexpr Field gear_tip_radius =
+    front_size("gear_tip_radius_mm", engine_lengths, Text::tr("Gear tip r&adius"),
+               Text::tr("Tip circle of each of the two gears."), Text::tr("l/2, the pitch circle"));
 inline constexpr Field wall{.key = "wall_mm",
                             .range = Range::at_least(0),
                             .size = some_lengths,
@@ -233,72 +216,44 @@ inline constexpr Field wall{.key = "wall_mm",
 inline constexpr Field place_limits{
     .key = "place_limits",
     .hint = Text::tr("Limits on the place of the shaft's axis, in addition to the clearance.")};
-inline constexpr Field centre_distance_min{
-    .key = "centre_distance_min_mm",
-    .range = Range::between(0, 1e6),
-    .label = Text::tr("Minimum l"),
-    .symbol = "l",
-    .hint = Text::tr("Minimum distance between crank axis and shaft axis."),
-    .placeholder = Text::tr("any"),
-    .is_setting = true};
-inline constexpr Field centre_distance_max{
-    .key = "centre_distance_max_mm",
-    .range = Range::between(0, 1e6),
-    .label = Text::tr("Maximum l"),
-    .symbol = "l",
-    .hint = Text::tr("Maximum distance between crank axis and shaft axis."),
-    .placeholder = Text::tr("any"),
-    .is_setting = true};
-inline constexpr Field shaft_angle_from{
-    .key = "shaft_angle_from_deg",
-    .range = Range::between(-360, 360),
-    .label = Text::tr("α from"),
-    .symbol = "α",
-    .hint = Text::tr("First angle of the shaft, in the direction of rotation."),
-    .if_empty = Text::tr("0 if the other end is given"),
-    .placeholder = Text::tr("any"),
-    .is_setting = true};
-inline constexpr Field shaft_angle_to{.key = "shaft_angle_to_deg",
-                                      .range = Range::between(-360, 720),
-                                      .label = Text::tr("α to"),
-                                      .symbol = "α",
-                                      .hint = Text::tr("Last angle of the shaft; across 0° it is "
-                                                       "less than the first."),
-                                      .if_empty = Text::tr("360° if the other end is given"),
-                                      .placeholder = Text::tr("any"),
-                                      .is_setting = true};
-inline constexpr Field place_left{
-    .key = "left_mm",
-    .range = Range::between(-1e6, 1e6),
-    .label = Text::tr("Minimum x"),
-    .symbol = "x",
-    .hint = Text::tr("The shaft axis must be to the right of this line, x from the crank axis. "
-                     "For a wall: add swing radius and clearance."),
-    .placeholder = Text::tr("any"),
-    .is_setting = true};
-inline constexpr Field place_right{
-    .key = "right_mm",
-    .range = Range::between(-1e6, 1e6),
-    .label = Text::tr("Maximum x"),
-    .symbol = "x",
-    .hint = Text::tr("The shaft axis must be to the left of this line."),
-    .placeholder = Text::tr("any"),
-    .is_setting = true};
-inline constexpr Field place_bottom{
-    .key = "bottom_mm",
-    .range = Range::between(-1e6, 1e6),
-    .label = Text::tr("Minimum y"),
-    .symbol = "y",
-    .hint = Text::tr("The shaft axis must be above this line, y from the crank axis."),
-    .placeholder = Text::tr("any"),
-    .is_setting = true};
-inline constexpr Field place_top{.key = "top_mm",
-                                 .range = Range::between(-1e6, 1e6),
-                                 .label = Text::tr("Maximum y"),
-                                 .symbol = "y",
-                                 .hint = Text::tr("The shaft axis must be below this line."),
-                                 .placeholder = Text::tr("any"),
-                                 .is_setting = true};
+constexpr Field place_limit(const char* key, const Range& range, Text label, const char* symbol,
+                            Text hint, Text if_empty = {}) {
+    return {.key = key,
+            .range = range,
+            .label = label,
+            .symbol = symbol,
+            .hint = hint,
+            .if_empty = if_empty,
+            .placeholder = Text::tr("any"),
+            .is_setting = true};
+}
+inline constexpr Field centre_distance_min =
+    place_limit("centre_distance_min_mm", Range::between(0, 1e6), Text::tr("Minimum l"), "l",
+                Text::tr("Minimum distance between crank axis and shaft axis."));
+inline constexpr Field centre_distance_max =
+    place_limit("centre_distance_max_mm", Range::between(0, 1e6), Text::tr("Maximum l"), "l",
+                Text::tr("Maximum distance between crank axis and shaft axis."));
+inline constexpr Field shaft_angle_from =
+    place_limit("shaft_angle_from_deg", Range::between(-360, 360), Text::tr("α from"), "α",
+                Text::tr("First angle of the shaft, in the direction of rotation."),
+                Text::tr("0 if the other end is given"));
+inline constexpr Field shaft_angle_to =
+    place_limit("shaft_angle_to_deg", Range::between(-360, 720), Text::tr("α to"), "α",
+                Text::tr("Last angle of the shaft; across 0° it is less than the first."),
+                Text::tr("360° if the other end is given"));
+inline constexpr Field place_left =
+    place_limit("left_mm", Range::between(-1e6, 1e6), Text::tr("Minimum x"), "x",
+                Text::tr("The shaft axis must be to the right of this line, x from the crank axis. "
+                         "For a wall: add swing radius and clearance."));
+inline constexpr Field place_right =
+    place_limit("right_mm", Range::between(-1e6, 1e6), Text::tr("Maximum x"), "x",
+                Text::tr("The shaft axis must be to the left of this line."));
+inline constexpr Field place_bottom =
+    place_limit("bottom_mm", Range::between(-1e6, 1e6), Text::tr("Minimum y"), "y",
+                Text::tr("The shaft axis must be above this line, y from the crank axis."));
+inline constexpr Field place_top =
+    place_limit("top_mm", Range::between(-1e6, 1e6), Text::tr("Maximum y"), "y",
+                Text::tr("The shaft axis must be below this line."));
 
 inline constexpr Field gears{.key = "gears",
                              .hint = Text::tr("The pair of gears that drives the shaft.")};

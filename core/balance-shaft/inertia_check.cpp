@@ -1,5 +1,6 @@
 #include "balance-shaft/inertia_check.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -109,29 +110,19 @@ Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_de
     }
     // For each λ the other two are linear: C g(θ; λ) − d s′(θ; λ) by the normal equations.
     const auto fit_at = [&](double lambda) -> Fit {
-        double gg = 0.0;
-        double gs = 0.0;
-        double ss = 0.0;
-        double gt = 0.0;
-        double st = 0.0;
+        Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+        Eigen::Vector2d right = Eigen::Vector2d::Zero();
         for (const Row& row : rows) {
             const PistonMotion<double> motion = unit_motion(lambda, relative_offset, row.angle);
-            const double g = -motion.ds * motion.d2s;
-            const double s = -motion.ds;
-            gg += row.weight * g * g;
-            gs += row.weight * g * s;
-            ss += row.weight * s * s;
-            gt += row.weight * g * row.torque;
-            st += row.weight * s * row.torque;
+            const Eigen::Vector2d basis(-motion.ds * motion.d2s, -motion.ds);
+            normal += row.weight * basis * basis.transpose();
+            right += row.weight * row.torque * basis;
         }
-        const double determinant = gg * ss - gs * gs;
-        const double scale = (ss * gt - gs * st) / determinant;
-        const double gas = (gg * st - gs * gt) / determinant;
-        const double square = squares - scale * gt - gas * st;
-        return {.scale = scale,
+        const Eigen::Vector2d found = normal.inverse() * right;
+        return {.scale = found.x(),
                 .lambda = lambda,
-                .residual = std::sqrt(std::max(square, 0.0) / weights),
-                .found = scale > 0.0};
+                .residual = std::sqrt(std::max(squares - found.dot(right), 0.0) / weights),
+                .found = found.x() > 0.0};
     };
     if (lambda_given) {
         return fit_at(*lambda_given);

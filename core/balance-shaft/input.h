@@ -86,6 +86,8 @@ struct TorqueSource {
         return (kind == Kind::csv && csv.has_changed()) ||
                (kind == Kind::pressure && trace_file.has_changed());
     }
+    /// It has numbers or a file of a source that is not in use.
+    bool keeps(Kind other) const;
     bool operator==(const TorqueSource&) const = default;
 };
 
@@ -195,6 +197,8 @@ void visit_fields(FieldVisitor& visitor, GearPair& gears);
 void visit_fields(FieldVisitor& visitor, FlywheelTarget& flywheel);
 void visit_fields(FieldVisitor& visitor, SpeedBand& band);
 void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes);
+/// The unused sources of torque ("kept" of a case).
+void visit_kept(FieldVisitor& visitor, TorqueSource& source);
 
 /// Checks the ranges and that the sizes taken together stay in the range of numbers.
 /// @throws InputError that names the JSON pointer, as read_input() would

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "balance-shaft/angle_search.h"
+#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/input.h"
-#include "balance-shaft/offset_cylinder.h"
 #include "balance-shaft/result.h"
 #include "numerics/angle.h"
 

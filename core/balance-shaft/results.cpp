@@ -7,7 +7,6 @@
 #include "balance-shaft/clearance.h"
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/dead_centre.h"
-#include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/moments.h"
 #include "balance-shaft/position_study.h"

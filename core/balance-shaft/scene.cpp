@@ -70,108 +70,51 @@ Json write_input(const Input& input) {
 }
 
 Json write_kept(const Input& input) {
-    using Kind = TorqueSource::Kind;
-    const TorqueSource& source = input.torque;
-    Json torque = Json::object();
-    const auto keep = [&](Kind kind) {
-        Input other = input;
-        other.torque.kind = kind;
-        torque.update(write_input(other).at("torque"));
-    };
-    if (source.is_computed() && !source.csv.name.empty()) {
-        keep(Kind::csv);
-    } else if (source.is_computed() && source.table.size() > 0) {
-        keep(Kind::table);
-    }
-    if (source.kind != Kind::pressure && !source.trace_file.name.empty()) {
-        keep(Kind::pressure);
-    }
-    if (source.kind != Kind::cycle && (source.cycle.heat || source.cycle.imep)) {
-        keep(Kind::cycle);
-    }
-    return torque.empty() ? Json() : Json{{"torque", torque}};
+    TorqueSource source = input.torque;
+    const VisitFields visit = [&](FieldVisitor& visitor) { visit_kept(visitor, source); };
+    Json kept = write_fields(visit);
+    return kept.empty() ? Json() : kept;
 }
-
-namespace {
-
-/// One kept source, read as if it were in use; files are not read.
-TorqueSource read_kept_source(const Input& input, const Json& torque) {
-    Json json = write_input(input);
-    json["torque"] = torque;
-    try {
-        TorqueSource source = read_fields<Input>(json).torque;
-        if (source.kind == TorqueSource::Kind::table) {
-            check_torque_table(source.table, "/input/torque/torque_Nm");
-        }
-        return source;
-    } catch (const InputError& error) {
-        std::string place = error.where();
-        const std::string root = "/input";
-        if (place.starts_with(root)) {
-            place.replace(0, root.size(), "/kept");
-        }
-        throw InputError(place, error.allowed_message(), error.found_message());
-    }
-}
-
-}  // namespace
 
 void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     using Kind = TorqueSource::Kind;
     if (kept.is_null()) {
         return;
     }
-    ObjectReader reader(kept, "/kept");
-    if (!reader.has("torque")) {
-        reader.finish();
-        return;
+    TorqueSource other;
+    try {
+        read_fields(kept, Completeness::required,
+                    [&](FieldVisitor& visitor) { visit_kept(visitor, other); });
+    } catch (const InputError& error) {
+        constexpr std::string_view root = "/input";
+        throw InputError(error.where().replace(0, root.size(), "/kept"), error.allowed_message(),
+                         error.found_message());
     }
-    const auto keys = reader.object("torque").keys();
-    reader.finish();
     TorqueSource& source = input.torque;
-    const auto take = [&](const Json& torque) {
-        const TorqueSource other = read_kept_source(input, torque);
-        // Of the source in use the input's own numbers hold.
-        if (other.is_computed() ? other.kind == source.kind : !source.is_computed()) {
-            return;
-        }
-        if (other.is_computed() && !source.is_computed()) {
-            source.crankcase_pressure = other.crankcase_pressure;
-        }
-        // A file that is not there may come back; until then its numbers are missing.
+    // A file that is not there may come back: it stays named, its numbers are missing.
+    const auto take_file = [&](DataFile TorqueSource::*file, Kind kind) {
+        source.*file = other.*file;
         try {
-            if (other.kind == Kind::csv) {
-                source.csv = other.csv;
-            } else if (other.kind == Kind::pressure) {
-                source.trace_file = other.trace_file;
-                source.trace_shift = other.trace_shift;
-            } else if (other.kind == Kind::table) {
-                source.table = other.table;
-            } else {
-                source.cycle = other.cycle;
-            }
-            read_file(source, other.kind, "/kept", context, input.strokes);
+            read_file(source, kind, "/kept", context, input.strokes);
         } catch (const InputError&) {
-            // It is named still.
         }
     };
-    Json table = Json::object();
-    Json file = Json::object();
-    for (const std::string& key : keys) {
-        const Json& value = kept.at("torque").at(key);
-        if (key == field::pressure.key || key == field::cycle.key) {
-            take({{key, value}});
-        } else {
-            const bool is_of_table =
-                key == field::table_angle.key || key == field::table_torque.key;
-            (is_of_table ? table : file)[key] = value;
-        }
+    // Of the source in use the input's own numbers are right.
+    if (!source.is_computed()) {
+        source.crankcase_pressure = other.crankcase_pressure;
+    } else if (!other.csv.name.empty()) {
+        take_file(&TorqueSource::csv, Kind::csv);
     }
-    if (!file.empty()) {
-        take(file);
+    if (!other.table.torque.empty()) {
+        check_torque_table(other.table, "/kept/torque");
+        source.table = source.is_computed() ? other.table : source.table;
     }
-    if (!table.empty()) {
-        take(table);
+    if (source.kind != Kind::pressure && !other.trace_file.name.empty()) {
+        source.trace_shift = other.trace_shift;
+        take_file(&TorqueSource::trace_file, Kind::pressure);
+    }
+    if (source.kind != Kind::cycle && (other.cycle.heat || other.cycle.imep)) {
+        source.cycle = other.cycle;
     }
 }
 

@@ -10,7 +10,6 @@
 
 #include "balance-shaft/angle_search.h"
 #include "balance-shaft/engine_torque.h"
-#include "balance-shaft/offset_cylinder.h"
 #include "case-file/input_error.h"
 #include "numerics/angle.h"
 

@@ -50,15 +50,13 @@ inline bool near(double value, double wanted) {
 void check_ascending(const std::vector<double>& angles, const auto& place) {
     for (std::size_t i = 1; i < angles.size(); ++i) {
         const double previous = angles[i - 1];
-        if (angles[i] == previous) {
-            throw InputError(
-                place(i), {Text::tr("must not repeat the angle of the row before, %1"), previous},
-                Number{angles[i]});
-        }
         if (!(angles[i] > previous)) {
             throw InputError(
                 place(i),
-                {Text::tr("must be greater than the angle of the row before, %1"), previous},
+                {angles[i] == previous
+                     ? Text::tr("must not repeat the angle of the row before, %1")
+                     : Text::tr("must be greater than the angle of the row before, %1"),
+                 previous},
                 Number{angles[i]});
         }
     }

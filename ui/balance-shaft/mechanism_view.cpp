@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/position_study.h"
+#include "balance-shaft/solver.h"
 #include "numerics/constants.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"

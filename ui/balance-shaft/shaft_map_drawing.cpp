@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "balance-shaft/change_colours.h"
-#include "balance-shaft/mechanism.h"
+#include "balance-shaft/solver.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
 #include "pictures/model/pixel.h"

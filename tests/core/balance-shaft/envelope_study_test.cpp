@@ -1,4 +1,4 @@
-#include "balance-shaft/envelope_study.h"
+#include "balance-shaft/position_study.h"
 
 #include <gtest/gtest.h>
 

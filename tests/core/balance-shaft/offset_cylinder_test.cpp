@@ -1,4 +1,3 @@
-#include "balance-shaft/offset_cylinder.h"
 #include "balance-shaft/results.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +7,8 @@
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/gear_error.h"
-#include "balance-shaft/mechanism.h"
 #include "balance-shaft/scene.h"
+#include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "balance-shaft/dead_centre.h"
-#include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/model/shaft_parts.h"
+#include "balance-shaft/position_study.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
