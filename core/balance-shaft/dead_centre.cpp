@@ -296,33 +296,24 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
 
     // On, as long as what is added fits: χ² grows by one a row.
     constexpr double step = 2.0;
-    constexpr double surprise = 10.0;  // a row: combustion
+    constexpr double surprise = 10.0;  // a row: combustion, so the end is the last clean one
     constexpr double clean = 1.75;
-    struct End {
-        double to;
-        CompressionLine::Fit fit;
-        double added;  ///< χ² for each new row
-    };
-    std::vector<End> ends{{peak_deg - first_end, fit, 0.0}};
+    CompressionLine::Fit last = fit;
     bool is_motored = true;
-    for (double to = ends[0].to + step; to <= peak_deg + beyond; to += step) {
-        const auto last = ends.back();
-        if (line.rows(from, to) == last.fit.rows) {
+    for (double to = peak_deg - first_end + step; is_motored && to <= peak_deg + beyond;
+         to += step) {
+        if (line.rows(from, to) == last.rows) {
             continue;
         }
-        const auto next = line.fit(from, to, last.fit.centre_deg, 4.0);
-        const double added =
-            (next.cost - last.fit.cost) / static_cast<double>(next.rows - last.fit.rows);
-        if (added > surprise) {
-            is_motored = false;
-            break;
+        const auto next = line.fit(from, to, last.centre_deg, 4.0);
+        const double added = (next.cost - last.cost) / static_cast<double>(next.rows - last.rows);
+        is_motored = added <= surprise;
+        if (is_motored) {
+            last = next;
+            fit = added <= clean ? next : fit;
         }
-        ends.push_back({to, next, added});
     }
-    while (!is_motored && ends.size() > 1 && ends.back().added > clean) {
-        ends.pop_back();
-    }
-    fit = ends.back().fit;
+    fit = is_motored ? last : fit;
 
     DeadCentre centre;
     constexpr double model_spread = 0.1;  // °

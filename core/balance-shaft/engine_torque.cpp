@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "numerics/constants.h"
 #include "numerics/harmonics.h"

@@ -1,7 +1,6 @@
 #include "balance-shaft/fields.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <functional>
 

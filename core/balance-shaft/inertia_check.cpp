@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <vector>
 
 #include "balance-shaft/input.h"
@@ -41,14 +41,15 @@ struct Row {
 };
 
 struct Fit {
-    double scale = 0.0;  ///< C, N·m
+    double scale = 0.0;  ///< C, N·m; 0 or less where nothing is found
     double lambda = 0.0;
     double residual = 0.0;  ///< weighted RMS, N·m
     bool at_bound = false;  ///< λ ends on a bound of its search
-    bool found = false;
 
     /// How much it leaves, as a part of what it found.
-    double badness() const { return residual / scale; }
+    double badness() const {
+        return scale > 0.0 ? residual / scale : std::numeric_limits<double>::infinity();
+    }
 };
 
 /// Without the rows on the line between their neighbours: a table tells the same however finely its
@@ -121,8 +122,7 @@ Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_de
         const Eigen::Vector2d found = normal.inverse() * right;
         return {.scale = found.x(),
                 .lambda = lambda,
-                .residual = std::sqrt(std::max(squares - found.dot(right), 0.0) / weights),
-                .found = found.x() > 0.0};
+                .residual = std::sqrt(std::max(squares - found.dot(right), 0.0) / weights)};
     };
     if (lambda_given) {
         return fit_at(*lambda_given);
@@ -179,12 +179,10 @@ InertiaCheck check_inertia(const Input& input) {
     const auto best_fit = [&](const std::optional<double>& held) {
         const Fit first = fit_stroke(table, offset, 0.0, held);
         const Fit second = four_stroke ? fit_stroke(table, offset, 360.0, held) : Fit{};
-        const bool take_second =
-            second.found && (!first.found || second.badness() < first.badness());
-        return take_second ? second : first;
+        return second.badness() < first.badness() ? second : first;
     };
     const auto is_believed = [](const Fit& fit) {
-        return fit.found && fit.badness() <= InertiaCheck::largest_residual;
+        return fit.badness() <= InertiaCheck::largest_residual;
     };
     Fit fit = best_fit(lambda);
     if (lambda && !is_believed(fit)) {

@@ -1,7 +1,6 @@
 #include "balance-shaft/moment_plane.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "numerics/angle.h"

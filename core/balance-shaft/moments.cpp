@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "balance-shaft/engine_torque.h"
-
 namespace ravnoves::balance_shaft {
 
 namespace {

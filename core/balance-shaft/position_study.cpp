@@ -7,13 +7,10 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <span>
 
-#include "balance-shaft/angle_search.h"
 #include "balance-shaft/clearance.h"
 #include "balance-shaft/moment_plane.h"
-#include "balance-shaft/place_search.h"
 #include "numerics/angle.h"
 #include "numerics/constants.h"
 

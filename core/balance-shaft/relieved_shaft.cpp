@@ -9,7 +9,6 @@
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "drawing/dxf_document.h"
-#include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
 

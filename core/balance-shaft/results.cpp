@@ -8,7 +8,6 @@
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/dead_centre.h"
 #include "balance-shaft/gear_error.h"
-#include "balance-shaft/moments.h"
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/result_fields.h"
 #include "balance-shaft/shaft_places.h"

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/constants.h"
-
 namespace ravnoves::balance_shaft {
 
 RodSweep::RodSweep(const FrontView& view) : crank_(view.crank()) {

@@ -1,7 +1,6 @@
 #include "balance-shaft/solver.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "balance-shaft/angle_search.h"
