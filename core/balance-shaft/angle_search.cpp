@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "numerics/angle.h"
+
 namespace ravnoves::balance_shaft {
 
 namespace {
@@ -20,20 +22,13 @@ Bound min_of_larger(const Cut& left, const Cut& right) {
         return std::max(left.bound(alpha), right.bound(alpha));
     };
     Bound best{left.alpha, larger(left.alpha)};
-    const auto consider = [&](double alpha) {
-        while (alpha < left.alpha) {  // at most a few turns
-            alpha += two_pi;
-        }
-        while (alpha >= left.alpha + two_pi) {
-            alpha -= two_pi;
-        }
-        if (alpha < right.alpha) {
-            const double value = larger(alpha);
-            if (value < best.value) {
-                best = {alpha, value};
-            }
+    const auto offer = [&](double alpha) {
+        const double value = larger(alpha);
+        if (alpha <= right.alpha && value < best.value) {
+            best = {alpha, value};
         }
     };
+    const auto consider = [&](double alpha) { offer(left.alpha + wrap_turn(alpha - left.alpha)); };
     consider(std::atan2(left.bound.q, left.bound.p) + pi);
     consider(std::atan2(right.bound.q, right.bound.p) + pi);
     const double p = left.bound.p - right.bound.p;
@@ -46,10 +41,7 @@ Bound min_of_larger(const Cut& left, const Cut& right) {
         consider(middle + spread);
         consider(middle - spread);
     }
-    const double value = larger(right.alpha);
-    if (value < best.value) {
-        best = {right.alpha, value};
-    }
+    offer(right.alpha);
     return best;
 }
 
@@ -119,9 +111,7 @@ AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, dou
         open.push_back({cut, interval[1]});
         open.push_back({interval[0], cut});
     }
-    while (best.alpha >= two_pi) {
-        best.alpha -= two_pi;
-    }
+    best.alpha = wrap_turn(best.alpha);
     return best;
 }
 

@@ -143,7 +143,7 @@ ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle) {
     const double y = view.centre_distance * std::cos(shaft_angle);
     return {view.centre_distance - view.crank_swing_radius - view.shaft_swing_radius,
             distance_from_cylinder(view, x, y) - view.shaft_swing_radius,
-            RodSweep(view).distance(x, y) - view.rod_width / 2.0 - view.shaft_swing_radius};
+            RodSweep(view).distance({x, y}) - view.rod_width / 2.0 - view.shaft_swing_radius};
 }
 
 bool BuildableAngles::contains(double shaft_angle) const {

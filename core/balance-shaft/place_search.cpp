@@ -37,13 +37,7 @@ struct Tangent {
 };
 
 Place lowest(const PlacePolygon& polygon, const Tangent& tangent) {
-    std::size_t minimum = 0;
-    for (std::size_t i = 1; i < polygon.size(); ++i) {
-        if (tangent(polygon[i]) < tangent(polygon[minimum])) {
-            minimum = i;
-        }
-    }
-    return polygon[minimum];
+    return *std::ranges::min_element(polygon, {}, tangent);
 }
 
 class Search {

@@ -20,38 +20,27 @@ class RodSweep {
     explicit RodSweep(const FrontView& view);
 
     struct Nearest {
-        double distance = 0.0;  ///< m
-        double x = 0.0;         ///< the place on the rod, m
-        double y = 0.0;
+        double distance = 0.0;  ///< to any of the segments, to rounding, m
+        Eigen::Vector2d place;  ///< on the rod, m
     };
-    /// To any of the segments, to rounding.
-    Nearest nearest(double x, double y) const;
-    double distance(double x, double y) const { return nearest(x, y).distance; }
-    /// nearest(x, y) where its distance is less than `needed`, mostly for the price of a comparison
-    /// where it is not.
-    std::optional<Nearest> nearer_than(double x, double y, double needed) const;
+    /// The nearest place where its distance is less than `needed`, mostly for the price of a
+    /// comparison where it is not.
+    std::optional<Nearest> nearer_than(const Eigen::Vector2d& place, double needed) const;
+    double distance(const Eigen::Vector2d& place) const;
 
   private:
-    /// The rod at one crank angle.
-    struct Rod {
-        double x = 0.0, y = 0.0;              ///< crankpin, m
-        double along_x = 0.0, along_y = 0.0;  ///< to the piston pin, m
-    };
     static constexpr Eigen::Index samples = 96;
     static constexpr double step = two_pi / samples;
     using Column = Eigen::Array<double, samples, 1>;
 
-    Rod rod_at(double theta) const;
-    /// Of the distance from one rod, m².
-    double square(const Rod& rod, double x, double y) const;
-    Rod lowest_beside(Eigen::Index sample, double x, double y) const;
-    /// Squares of the distances of all samples; returns the smallest.
-    double squares(double x, double y, Column& out) const;
+    /// The place of the rod at a crank angle that is nearest to another, m.
+    Eigen::Vector2d on_rod(double theta, const Eigen::Vector2d& place) const;
 
     SliderCrank<double> crank_;
     double per_length2_ = 0.0;  ///< 1/L², 0 for no rod
     double motion_ = 0.0;       ///< most that a place of the rod moves in one step, m
-    Column x_, y_, along_x_, along_y_;
+    Column x_, y_;              ///< crankpin, m
+    Column along_x_, along_y_;  ///< from there to the piston pin, m
 };
 
 /// The places v with normal · v ≥ minimum.
@@ -70,6 +59,8 @@ class PlacePolygon {
     Eigen::AlignedBox2d box() const;
     std::size_t size() const { return corners_.size(); }
     const Eigen::Vector2d& operator[](std::size_t i) const { return corners_[i]; }
+    auto begin() const { return corners_.begin(); }
+    auto end() const { return corners_.end(); }
 
   private:
     static constexpr std::size_t maximum = 16;

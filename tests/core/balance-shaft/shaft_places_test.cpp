@@ -88,7 +88,8 @@ TEST(RodSweepTest, theNearestRodIsThatOfBruteForce) {
     for (int i = 0; i < 300; ++i) {
         const double x = coordinate(random);
         const double y = coordinate(random);
-        const RodSweep::Nearest found = rods.nearest(x, y);
+        const Eigen::Vector2d place(x, y);
+        const RodSweep::Nearest found = rods.nearer_than(place, 1e3).value();
         double minimum = 1e300;
         constexpr int angles = 20000;
         for (int k = 0; k < angles; ++k) {
@@ -103,9 +104,8 @@ TEST(RodSweepTest, theNearestRodIsThatOfBruteForce) {
         // Beside the nearest of the angles the square is less by no more than the second order.
         EXPECT_LE(found.distance * found.distance, minimum + 1e-15);
         EXPECT_GE(found.distance * found.distance, minimum - 1e-8);
-        EXPECT_NEAR(std::hypot(found.x - x, found.y - y), found.distance, 1e-12);
-        EXPECT_FALSE(rods.nearer_than(x, y, found.distance));
-        EXPECT_EQ(rods.nearer_than(x, y, found.distance * 1.01 + 1e-12)->distance, found.distance);
+        EXPECT_NEAR((found.place - place).norm(), found.distance, 1e-12);
+        EXPECT_FALSE(rods.nearer_than(place, found.distance));
     }
 }
 
