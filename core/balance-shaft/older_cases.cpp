@@ -1,4 +1,4 @@
-#include "balance-shaft/scene.h"
+#include "balance-shaft/input.h"
 
 #include <array>
 #include <map>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "balance-shaft/fields.h"
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"

@@ -8,9 +8,9 @@
 
 #include "balance-shaft/dead_centre.h"
 #include "balance-shaft/fields.h"
+#include "balance-shaft/input.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
-#include "balance-shaft/scene.h"
 #include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "balance-shaft/scene.h"
+#include "balance-shaft/input.h"
 #include "case-file/case_file.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"

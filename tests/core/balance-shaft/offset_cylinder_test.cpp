@@ -7,7 +7,7 @@
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/gear_error.h"
-#include "balance-shaft/scene.h"
+#include "balance-shaft/input.h"
 #include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "test_cases.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "balance-shaft/engine_torque.h"
-#include "balance-shaft/scene.h"
+#include "balance-shaft/input.h"
 #include "case-file/json.h"
 #include "scenes/scenes.h"
 #include "test_cases.h"

@@ -9,8 +9,8 @@
 #include <map>
 #include <sstream>
 
+#include "balance-shaft/input.h"
 #include "balance-shaft/presets.h"
-#include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 

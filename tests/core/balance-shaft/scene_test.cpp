@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "balance-shaft/input.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
-#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/field_index.h"
 #include "case-file/json.h"

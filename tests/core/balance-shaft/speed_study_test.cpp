@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "balance-shaft/angle_search.h"
+#include "balance-shaft/input.h"
 #include "balance-shaft/presets.h"
-#include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "scenes/scenes.h"
 

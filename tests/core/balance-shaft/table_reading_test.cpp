@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "balance-shaft/engine_torque.h"
-#include "balance-shaft/scene.h"
+#include "balance-shaft/input.h"
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "balance-shaft/input.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
-#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"

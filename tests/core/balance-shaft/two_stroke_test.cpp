@@ -5,7 +5,7 @@
 #include "balance-shaft/cylinder_gas.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/gear_error.h"
-#include "balance-shaft/scene.h"
+#include "balance-shaft/input.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "balance-shaft/scene.h"
+#include "balance-shaft/input.h"
 #include "case-file/field_index.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"

@@ -5,11 +5,11 @@
 
 #include "balance-shaft/dead_centre.h"
 #include "balance-shaft/gear_error.h"
+#include "balance-shaft/input.h"
 #include "balance-shaft/model/shaft_parts.h"
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
-#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
 #include "model/case_model.h"
