@@ -204,10 +204,9 @@ std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const 
         return front;
     }
     const auto add = [&](const PlaceFound& found) {
-        const ShaftPosition at{found.place.x(), found.place.y()};
-        const PositionCriteria there = this->at(at);
-        if (std::isfinite(there.range + there.rms + there.size)) {
-            front.push_back({at, there});
+        const BestPosition one = judged(found);
+        if (std::isfinite(one.criteria.range + one.criteria.rms + one.criteria.size)) {
+            front.push_back(one);
         }
     };
     // Range and RMS as parts of what they are without a shaft.

@@ -127,11 +127,6 @@ SpeedStudy::Speed SpeedStudy::speed_at(double angular_speed) const {
     return {angular_speed, unit_amplitude_ * square, std::move(plane), without};
 }
 
-double SpeedStudy::Speed::with_shaft(Criterion criterion, double alpha) const {
-    const MomentPlane::Moment shaft = shaft_at(amplitude, alpha);
-    return criterion == Criterion::range ? plane.range(shaft) : plane.variance(shaft);
-}
-
 double SpeedStudy::Speed::without_shaft(Criterion criterion) const {
     return criterion == Criterion::range ? without.range() : plane.variance({0.0, 0.0});
 }
@@ -146,7 +141,7 @@ Cut SpeedStudy::Speed::cut(Criterion criterion, Measure measure, double alpha) c
     Cut cut = criterion == Criterion::range
                   ? range_cut(plane, amplitude, alpha)
                   : Cut{alpha,
-                        with_shaft(criterion, alpha),
+                        plane.variance(shaft_at(amplitude, alpha)),
                         {without_shaft(criterion) + squared(amplitude) / 2.0,
                          -amplitude * opposed.y(), -amplitude * opposed.x()}};
     for (double* const part : {&cut.value, &cut.bound.constant, &cut.bound.p, &cut.bound.q}) {
@@ -168,16 +163,16 @@ SpeedStudy::BestCompromise SpeedStudy::best_compromise_of(const std::vector<cons
     }
     const Speed* worst = nullptr;
     const auto evaluate = [&](double alpha) {
-        double highest = -1.0;
+        Cut highest;
+        highest.value = -1.0;
         for (const Speed* speed : speeds) {
-            const double value =
-                speed->with_shaft(criterion, alpha) / speed->divisor(criterion, measure);
-            if (value > highest) {
-                highest = value;
+            const Cut cut = speed->cut(criterion, measure, alpha);
+            if (cut.value > highest.value) {
+                highest = cut;
                 worst = speed;
             }
         }
-        return worst->cut(criterion, measure, alpha);
+        return highest;
     };
     const AngleMinimum best = minimise_over_angle(evaluate, size, within);
     evaluate(best.alpha);
@@ -204,9 +199,9 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
             criterion == Criterion::range
                 ? inertia_(speed.without.max.angle_deg) - inertia_(speed.without.min.angle_deg)
                 : twice_covariance_ + 2.0 * q * inertia_variance_;
-        const double with = speed.with_shaft(criterion, alpha);
-        return {q, with, speed.without_shaft(criterion), slope,
-                with / speed.divisor(criterion, Measure::relative)};
+        const double ratio = speed.cut(criterion, Measure::relative, alpha).value;
+        return {q, ratio * speed.divisor(criterion, Measure::relative),
+                speed.without_shaft(criterion), slope, ratio};
     };
     const auto max_between = [](const End& left, const End& right) {
         const double at_ends = std::max(left.ratio, right.ratio);

@@ -91,12 +91,11 @@ class SpeedStudy {
         MomentPlane plane;             ///< of M_up
         MomentPlane::Extrema without;  ///< a shaft
 
-        /// The range, or the mean square about the mean, at α + phase_ and without a shaft.
-        double with_shaft(Criterion criterion, double alpha) const;
+        /// The range, or the mean square about the mean.
         double without_shaft(Criterion criterion) const;
         /// What the value with the shaft is divided by.
         double divisor(Criterion criterion, Measure measure) const;
-        /// The quotient, with a sinusoid of α that bounds it.
+        /// The quotient at α + phase_, with a sinusoid of α that bounds it.
         Cut cut(Criterion criterion, Measure measure, double alpha) const;
     };
 

@@ -621,34 +621,27 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
                 angle + 1);
         }
     }
-    TwoColumns chosen;
     try {
-        chosen = read_columns(text, what, reading);
-    } catch (const InputError& error) {
-        proposal.doubts.push_back(
-            {Text{"%1: %2."}, error.where_message(), error.allowed_message()});
-        return proposal;
-    }
-    const ColumnLook& look = looks[chosen.column[1]];
-    const std::optional<Unit> named = named_unit(what, chosen.heading(1));
-    if (!decided.unit) {
-        reading.unit = named ? *named : likely_unit(what, chosen.second);
-        if (!named && what == Measured::pressure) {
-            proposal.doubts.push_back(assumed_unit_note(*reading.unit));
+        TwoColumns chosen = read_columns(text, what, reading);
+        const ColumnLook& look = looks[chosen.column[1]];
+        const std::optional<Unit> named = named_unit(what, chosen.heading(1));
+        if (!decided.unit) {
+            reading.unit = named ? *named : likely_unit(what, chosen.second);
+            if (!named && what == Measured::pressure) {
+                proposal.doubts.push_back(assumed_unit_note(*reading.unit));
+            }
         }
-    }
-    if (what == Measured::pressure && !decided.gauge) {
-        const double low = look.low * *reading.unit;
-        constexpr double min_absolute = 0.15 * atmosphere;
-        const bool says_so = names_gauge_pressure(chosen.heading(1));
-        reading.gauge = says_so || look.lowest < 0.0 || low < min_absolute;
-        if (*reading.gauge && !says_so) {
-            proposal.doubts.emplace_back(Text::tr("The minimum pressure is %1 %2: gauge pressure?"),
-                                         Number{look.lowest, {}, 4},
-                                         Text{reading.unit->name.data()});
+        if (what == Measured::pressure && !decided.gauge) {
+            const double low = look.low * *reading.unit;
+            constexpr double min_absolute = 0.15 * atmosphere;
+            const bool says_so = names_gauge_pressure(chosen.heading(1));
+            reading.gauge = says_so || look.lowest < 0.0 || low < min_absolute;
+            if (*reading.gauge && !says_so) {
+                proposal.doubts.emplace_back(
+                    Text::tr("The minimum pressure is %1 %2: gauge pressure?"),
+                    Number{look.lowest, {}, 4}, Text{reading.unit->name.data()});
+            }
         }
-    }
-    try {
         const TableFormat format = to_cycle(std::move(chosen), what, reading);
         reading.in_radians = format.in_radians;
         reading.strokes = format.strokes;
