@@ -126,16 +126,13 @@ PistonFirstOrder piston_first_order(const SliderCrank<double>& crank) {
     if (crank.offset == 0.0) {
         return {crank.crank_radius, 0.0};  // √(L² − r² sin²θ) has even orders alone
     }
-    const std::size_t count = transform_length(crank.harmonic_decay(), 1, 1e-17);
-    double a = 0.0;
-    double b = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double theta = two_pi * static_cast<double>(i) / static_cast<double>(count);
-        const double value = -crank.at(theta).d2s;
-        a += value * std::cos(theta);
-        b += value * std::sin(theta);
+    const UniformTransform<double> turn(transform_length(crank.harmonic_decay(), 1, 1e-17));
+    std::vector<double> acceleration;
+    for (std::size_t i = 0; i < turn.size(); ++i) {
+        acceleration.push_back(-crank.at(turn.node_sin()[i], turn.node_cos()[i]).d2s);
     }
-    return {2.0 / static_cast<double>(count) * std::hypot(a, b), std::atan2(b, a)};
+    const Harmonic<double> first = turn.orders(acceleration, 1)[1];
+    return {std::hypot(first.cos, first.sin), std::atan2(first.sin, first.cos)};
 }
 
 PeriodicPiecewise with_offset_term(const PeriodicPiecewise& moment,

@@ -102,23 +102,18 @@ struct CylinderSizes {
     bool operator==(const CylinderSizes&) const = default;
 };
 
-/// Sizes for the front view and the clearances; an empty one has a default made from the other
-/// inputs (FrontView).
+/// Sizes for the front view and the clearances, m; an empty one has a default made from the other
+/// inputs, which its field and FrontView describe.
 struct EnvelopeSizes {
-    std::optional<double> cylinder_top;        ///< m above the crank axis; default: the pin at top
-                                               ///< dead centre + bore/2
-    std::optional<double> cylinder_bottom;     ///< m above the crank axis; default: the pin at
-                                               ///< bottom dead centre − 0.3 bore
-    std::optional<double> cylinder_wall;       ///< m, thickness; default 0.06 bore
-    std::optional<double> rod_width;           ///< m, across the rod in the front view; default r/2
-    std::optional<double> crank_swing_radius;  ///< m, circle swept by crank and counterweight;
-                                               ///< default: r + half the rod's width, or the half
-                                               ///< disc below where that is larger
-    std::optional<double> shaft_swing_radius;  ///< m, circle swept by the shaft; default: a half
-                                               ///< disc of steel with m₁ ρ₁, as long as the bore
-    std::optional<double> gear_tip_radius;  ///< m; default l/2, the pitch circles in contact
-    double clearance = 2e-3;                ///< m, smallest gap between the shaft and its obstacles
-    double wall = 0.0;                      ///< m, clearance and wall around every circle
+    std::optional<double> cylinder_top;        ///< above the crank axis
+    std::optional<double> cylinder_bottom;     ///< above the crank axis
+    std::optional<double> cylinder_wall;       ///< thickness
+    std::optional<double> rod_width;           ///< across the rod in the front view
+    std::optional<double> crank_swing_radius;  ///< circle swept by crank and counterweight
+    std::optional<double> shaft_swing_radius;  ///< circle swept by the shaft
+    std::optional<double> gear_tip_radius;
+    double clearance = 2e-3;  ///< smallest gap between the shaft and its obstacles
+    double wall = 0.0;        ///< clearance and wall around every circle
     bool operator==(const EnvelopeSizes&) const = default;
 };
 
