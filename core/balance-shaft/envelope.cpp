@@ -1,7 +1,7 @@
 #include "balance-shaft/envelope.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "balance-shaft/fields.h"
 #include "numerics/constants.h"
@@ -93,15 +93,38 @@ Message assumed_sizes(const Input& input) {
     return sizes.empty() ? sizes : Message(Text::tr("Sizes not given are assumed: %1."), sizes);
 }
 
-Envelope envelope(const FrontView& view, double shaft_angle) {
-    const double x = view.centre_distance * std::sin(shaft_angle);
-    const double y = view.centre_distance * std::cos(shaft_angle);
-    const double crank = std::max(view.crank_swing_radius, view.gear_tip_radius) + view.wall;
-    const double shaft = std::max(view.shaft_swing_radius, view.gear_tip_radius) + view.wall;
-    const double cylinder = view.cylinder_half_width() + view.wall;
-    return {std::min({-crank, x - shaft, view.offset - cylinder}),
-            std::max({crank, x + shaft, view.offset + cylinder}), std::min(-crank, y - shaft),
-            std::max({crank, y + shaft, view.cylinder_top + view.wall})};
+Envelope envelope(const FrontView& view, const Eigen::Vector2d& shaft) {
+    const Eigen::Vector2d none(0.0, 0.0);
+    const double l = shaft.norm();
+    const bool follows = view.tip_follows_distance;
+    const double tip = follows ? l / 2.0 : view.gear_tip_radius;
+    struct Reach {
+        double value;
+        Eigen::Vector2d gradient;
+    };
+    const auto circle = [&](double swing) -> Reach {
+        return {std::max(swing, tip) + view.wall,
+                tip > swing && follows ? Eigen::Vector2d(shaft / (2.0 * l)) : none};
+    };
+    const Reach of_crank = circle(view.crank_swing_radius);
+    const Reach of_shaft = circle(view.shaft_swing_radius);
+    // How far everything reaches in a direction; the cylinder not downwards.
+    const auto reach = [&](const Eigen::Vector2d& along, double cylinder) -> Reach {
+        Reach maximum{along.dot(shaft) + of_shaft.value, along + of_shaft.gradient};
+        maximum = of_crank.value > maximum.value ? of_crank : maximum;
+        return cylinder > maximum.value ? Reach{cylinder, none} : maximum;
+    };
+    const double wide = view.cylinder_half_width() + view.wall;
+    const Reach right = reach({1.0, 0.0}, view.offset + wide);
+    const Reach left = reach({-1.0, 0.0}, wide - view.offset);
+    const Reach top = reach({0.0, 1.0}, view.cylinder_top + view.wall);
+    const Reach bottom = reach({0.0, -1.0}, -std::numeric_limits<double>::infinity());
+    return {-left.value,
+            right.value,
+            -bottom.value,
+            top.value,
+            right.gradient + left.gradient,
+            top.gradient + bottom.gradient};
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cmath>
+
 #include "balance-shaft/input.h"
 #include "numerics/slider_crank.h"
 
 namespace ravnoves::balance_shaft {
 
-/// Bounding box of the front view (crank and shaft circles with gears, cylinder), m.
+/// Bounding box of the front view (crank and shaft circles with gears, cylinder), m. Width and
+/// height are convex functions of the shaft's place, with a gradient of each.
 struct Envelope {
     double left = 0.0;    ///< x, m
     double right = 0.0;   ///< x, m
@@ -13,6 +17,11 @@ struct Envelope {
     double top = 0.0;     ///< y, m
     double width() const { return right - left; }
     double height() const { return top - bottom; }
+    double area() const { return width() * height(); }  ///< m²
+
+    Eigen::Vector2d by_width{0.0, 0.0};
+    Eigen::Vector2d by_height{0.0, 0.0};
+    Eigen::Vector2d by_area() const { return width() * by_height + height() * by_width; }
 };
 
 /// The sizes of the front view with all defaults filled in, m.
@@ -56,7 +65,12 @@ RelievedShaftSizes relieved_shaft_sizes(const Input& input);
 /// Names the decisive sizes that are defaults, with their values; empty where all are given.
 Message assumed_sizes(const Input& input);
 
+/// @param shaft  its axis, m
+Envelope envelope(const FrontView& view, const Eigen::Vector2d& shaft);
 /// @param shaft_angle  α, rad, any
-Envelope envelope(const FrontView& view, double shaft_angle);
+inline Envelope envelope(const FrontView& view, double shaft_angle) {
+    return envelope(
+        view, view.centre_distance * Eigen::Vector2d(std::sin(shaft_angle), std::cos(shaft_angle)));
+}
 
 }  // namespace ravnoves::balance_shaft

@@ -29,7 +29,8 @@ PositionStudy::PositionStudy(const Solver& solver)
 
 PositionCriteria PositionStudy::at(const ShaftPosition& position) const {
     const Moment m = moment({position.x, position.y});
-    return {plane().range(m), plane().rms(m), places_.box({position.x, position.y}).area()};
+    return {plane().range(m), plane().rms(m),
+            envelope(places_.view(), {position.x, position.y}).area()};
 }
 
 PlaceQuestion PositionStudy::question_of_sum(double weight) const {
@@ -63,7 +64,7 @@ PlaceQuestion PositionStudy::question_of_sum(double weight) const {
 PlaceQuestion PositionStudy::question_of_size() const {
     PlaceQuestion question;
     question.criterion = [this](const Eigen::Vector2d& at) -> PlaceValue {
-        const BoxSize box = places_.box(at);
+        const Envelope box = envelope(places_.view(), at);
         return {box.area(), box.by_area(), box.by_width.norm() * box.by_height.norm()};
     };
     // Crank and shaft side by side, l and the crank's radius wide, the crank's diameter high.
@@ -233,7 +234,7 @@ std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const 
             continue;
         }
         add(*largest);
-        const double size = places_.box(largest->place).area();
+        const double size = envelope(places_.view(), largest->place).area();
         // Between the smallest and the size there: where the criterion falls most from one size to
         // the next, another is set between them.
         struct Level {
@@ -342,7 +343,7 @@ EnvelopeStudy envelope_study(const Solver& solver) {
         study.shaft_angle_deg.push_back(angle);
         study.width.push_back(box.width());
         study.height.push_back(box.height());
-        study.area.push_back(box.width() * box.height());
+        study.area.push_back(box.area());
         study.range.push_back(solver.range(angle * degree));
         study.buildable.push_back(solver.buildable().contains(angle * degree));
     }

@@ -321,37 +321,4 @@ bool ShaftPlaces::make_feasible(Eigen::Vector2d& place, double within) const {
     return false;
 }
 
-BoxSize ShaftPlaces::box(const Eigen::Vector2d& at) const {
-    const double l = at.norm();
-    const Eigen::Vector2d by_l = l > 0.0 ? Eigen::Vector2d(at / l) : Eigen::Vector2d(0.0, 0.0);
-    const double tip = view_.tip_follows_distance ? l / 2.0 : view_.gear_tip_radius;
-    const Eigen::Vector2d by_tip =
-        view_.tip_follows_distance ? Eigen::Vector2d(by_l / 2.0) : Eigen::Vector2d(0.0, 0.0);
-    struct Reach {
-        double value;
-        Eigen::Vector2d gradient;
-    };
-    const auto circle = [&](double swing) -> Reach {
-        return tip > swing ? Reach{tip + view_.wall, by_tip}
-                           : Reach{swing + view_.wall, Eigen::Vector2d(0.0, 0.0)};
-    };
-    const Reach crank = circle(view_.crank_swing_radius);
-    const Reach shaft = circle(view_.shaft_swing_radius);
-    // How far everything reaches in a direction; the cylinder not downwards.
-    const auto reach = [&](const Eigen::Vector2d& along, double cylinder) -> Reach {
-        Reach maximum{along.dot(at) + shaft.value, along + shaft.gradient};
-        if (crank.value > maximum.value) {
-            maximum = crank;
-        }
-        return cylinder > maximum.value ? Reach{cylinder, Eigen::Vector2d(0.0, 0.0)} : maximum;
-    };
-    const double wide = view_.cylinder_half_width() + view_.wall;
-    const Reach right = reach({1.0, 0.0}, view_.offset + wide);
-    const Reach left = reach({-1.0, 0.0}, wide - view_.offset);
-    const Reach top = reach({0.0, 1.0}, view_.cylinder_top + view_.wall);
-    const Reach bottom = reach({0.0, -1.0}, -std::numeric_limits<double>::infinity());
-    return {right.value + left.value, top.value + bottom.value, right.gradient + left.gradient,
-            top.gradient + bottom.gradient};
-}
-
 }  // namespace ravnoves::balance_shaft

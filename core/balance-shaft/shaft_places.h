@@ -67,17 +67,6 @@ class PlacePolygon {
     boost::container::static_vector<Eigen::Vector2d, 2 * maximum> corners_;
 };
 
-/// Width and height of the front view's box as convex functions of the shaft's place, m, with a
-/// gradient of each.
-struct BoxSize {
-    double width = 0.0;
-    double height = 0.0;
-    Eigen::Vector2d by_width, by_height;
-
-    double area() const { return width * height; }  ///< m²
-    Eigen::Vector2d by_area() const { return width * by_height + height * by_width; }
-};
-
 /// Where the shaft's axis can be, as BuildableAngles says of a circle, and within the limits given.
 class ShaftPlaces {
   public:
@@ -92,9 +81,6 @@ class ShaftPlaces {
     Message reason(Obstacle obstacle, double l) const;  ///< a sentence; empty: none
 
     const FrontView& view() const { return view_; }
-
-    /// Of the front view's box with the shaft there.
-    BoxSize box(const Eigen::Vector2d& at) const;
 
     /// The feasible part of a rectangle, bounded by lines. Obstacles are round outwards or corners
     /// of round ones: seen from the rectangle's middle the nearest place q of each requires
