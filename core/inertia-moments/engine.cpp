@@ -20,26 +20,6 @@ std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
     return cylinders;
 }
 
-std::optional<Locking> find_locking(double crank_radius, double lambda,
-                                    const std::vector<Cylinder>& cylinders) {
-    for (std::size_t i = 0; i < cylinders.size(); ++i) {
-        if (cylinders[i].articulated) {
-            continue;
-        }
-        const SliderCrank<double> crank{1.0, 1.0 / lambda, cylinders[i].offset / crank_radius};
-        if (crank.locks()) {
-            return Locking{i, crank.locking_angles()};
-        }
-        const double margin = crank.rod_length - 1.0 - std::abs(crank.offset);
-        if (margin < nearest_to_locking * crank.rod_length) {
-            // As good as locked: the angle is that of the mechanism that just locks.
-            const SliderCrank<double> just{1.0, 1.0 + std::abs(crank.offset), crank.offset};
-            return Locking{i, just.locking_angles()};
-        }
-    }
-    return std::nullopt;
-}
-
 ArticulatedCrank Engine::crank(std::size_t cylinder) const {
     const Cylinder& own = cylinders[cylinder];
     const double offset = own.offset / crank_radius;
@@ -60,17 +40,24 @@ double Engine::stroke(std::size_t cylinder) const {
     return crank_radius * (std::isfinite(relative) ? relative : 2.0);
 }
 
-Message describe(const Locking& locking) {
-    const auto number = static_cast<double>(locking.cylinder + 1);
-    if (!locking.angles) {
+Message locking_of(const SliderCrank<double>& crank, std::size_t cylinder) {
+    const double margin = crank.rod_length - 1.0 - std::abs(crank.offset);
+    if (!(margin < nearest_to_locking * crank.rod_length)) {
+        return {};
+    }
+    // As good as locked: the angle is that of the mechanism that just locks.
+    const SliderCrank<double> just{1.0, 1.0 + std::abs(crank.offset), crank.offset};
+    const auto angles = (crank.locks() ? crank : just).locking_angles();
+    const auto number = static_cast<double>(cylinder + 1);
+    if (!angles) {
         return {Text::tr("the mechanism of cylinder %1 is not possible: the rod does not reach "
                          "the piston at any crank angle"),
                 number};
     }
     return {Text::tr("the mechanism of cylinder %1 locks with the crank at %2 turning forward and "
                      "at %3 turning back, measured from the cylinder's axis"),
-            number, Number{locking.angles->forward / degree, units::degree, 4},
-            Number{locking.angles->backward / degree, units::degree, 4}};
+            number, Number{angles->forward / degree, units::degree, 4},
+            Number{angles->backward / degree, units::degree, 4}};
 }
 
 Engine reduce(const Input& input) {
@@ -88,7 +75,8 @@ Engine reduce(const Input& input) {
     complete_rods(engine.cylinders, engine.throws, input.rod_length());
     engine.rotating_mass = input.rotating_mass;
     if (input.rotating_mass_of_throw) {
-        engine.rotating_mass /= static_cast<double>(rods_per_throw(engine.throws).value_or(1));
+        // All throws have as many: check_input().
+        engine.rotating_mass /= static_cast<double>(engine.throws.front().cylinders.size());
     }
     if (input.rod) {
         const RigidRod& rod = *input.rod;
@@ -102,9 +90,31 @@ Engine reduce(const Input& input) {
     return engine;
 }
 
-Engine make_engine(const Input& input) {
-    check_input(input);
-    return reduce(input);
+std::vector<CylinderPose> engine_pose(const Engine& engine, double crank_angle) {
+    std::vector<CylinderPose> poses;
+    poses.reserve(engine.cylinders.size());
+    const double radius = engine.crank_radius;
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        const Cylinder& cylinder = engine.cylinders[i];
+        const ArticulatedCrank crank = engine.crank(i);
+        const double theta = crank_angle + engine.crank_phase(cylinder);
+        const ArticulatedMotion motion = crank.at(std::sin(theta), std::cos(theta));
+        CylinderPose pose;
+        pose.axis_direction = {-std::sin(cylinder.bank_angle), std::cos(cylinder.bank_angle)};
+        // The offset's side is the axis turned by +90°.
+        pose.axis_foot = pose.axis_direction * Complex(0.0, cylinder.offset);
+        pose.crankpin = pose.axis_direction * std::polar(radius, theta);
+        pose.rod_foot = pose.crankpin + pose.axis_direction * radius * motion.arm;
+        pose.articulated = cylinder.articulated.has_value();
+        pose.piston_pin = pose.axis_foot + pose.axis_direction * radius * motion.piston.s;
+        const auto place = [&](double angle) {
+            return radius * crank.at(std::sin(angle), std::cos(angle)).piston.s;
+        };
+        pose.top = place(crank.top_dead_centre());
+        pose.bottom = place(crank.bottom_dead_centre());
+        poses.push_back(pose);
+    }
+    return poses;
 }
 
 }  // namespace ravnoves::inertia_moments

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "case-file/message.h"
-#include "inertia-moments/articulated_rods.h"
 #include "inertia-moments/input.h"
-#include "inertia-moments/throws.h"
+#include "inertia-moments/rods.h"
 #include "numerics/slider_crank.h"
 
 namespace ravnoves::inertia_moments {
+
+using Complex = std::complex<double>;  ///< a vector in the front view: x + iy
 
 /// What the calculations run on: an input with its layout turned into cylinders and its rod
 /// reduced to two masses and the couple that they leave out.
@@ -57,29 +58,32 @@ std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders);
 /// samples a turn, and a mechanism counts as locked.
 inline constexpr double nearest_to_locking = 4e-9;
 
-/// A cylinder whose mechanism locks.
-struct Locking {
-    std::size_t cylinder = 0;  ///< index in the table
-    /// Crank angles from the cylinder's axis between which the crank can move, rad; empty where the
-    /// rod cannot even be fitted, |e| > R + L.
-    std::optional<LockingAngles<double>> angles;
-};
-
-/// The first cylinder with a rod on its crankpin whose mechanism locks or is nearer to it than
-/// nearest_to_locking, if any is.
-std::optional<Locking> find_locking(double crank_radius, double lambda,
-                                    const std::vector<Cylinder>& cylinders);
-
-/// Why the crank cannot turn, as a phrase: "the mechanism of cylinder 1 locks with the crank at
-/// 203.5° turning forward and at -23.5° turning back, measured from the cylinder's axis".
-Message describe(const Locking& locking);
+/// Why the crank of a cylinder, in units of R, cannot turn with the rod on it, as a phrase: "the
+/// mechanism of cylinder 1 locks with the crank at 203.5° turning forward and at -23.5° turning
+/// back, measured from the cylinder's axis". Empty where it can.
+Message locking_of(const SliderCrank<double>& crank, std::size_t cylinder);
 
 /// Reduces the input to the engine, checking the master rods only.
 /// @throws InputError as complete_rods()
 Engine reduce(const Input& input);
 
-/// The engine of a checked input.
+/// The engine of an input that it checks.
 /// @throws InputError as check_input()
 Engine make_engine(const Input& input);
+
+/// One cylinder's mechanism at one crank angle, in the front view (x + iy, m).
+struct CylinderPose {
+    Complex crankpin;
+    Complex piston_pin;
+    Complex rod_foot;          ///< where its rod begins: the crankpin, or the knuckle pin
+    bool articulated = false;  ///< its rod hangs on a master rod
+    Complex axis_foot;         ///< point of the cylinder's axis nearest to the crank axis
+    Complex axis_direction;    ///< unit vector outwards
+    double top = 0.0;          ///< piston pin at top dead centre, m along the axis from the foot
+    double bottom = 0.0;       ///< and at bottom dead centre
+};
+
+/// All cylinders at φ (rad), for the picture.
+std::vector<CylinderPose> engine_pose(const Engine& engine, double crank_angle);
 
 }  // namespace ravnoves::inertia_moments

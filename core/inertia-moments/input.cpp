@@ -47,9 +47,13 @@ void check_table(const Input& input) {
     }
 }
 
-void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
-    const auto locking = find_locking(input.crank_radius, input.ratio(), cylinders);
-    if (!locking) {
+/// Of a cylinder whose rod runs on the crankpin.
+/// @param pointer  of its offset
+void check_locking(const Input& input, double cylinder_offset, std::size_t cylinder,
+                   const std::string& pointer) {
+    const Message locking =
+        locking_of({1.0, 1.0 / input.ratio(), cylinder_offset / input.crank_radius}, cylinder);
+    if (locking.empty()) {
         return;
     }
     const double limit =  // of |e|
@@ -60,24 +64,20 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
             {Text::tr("must be greater than the crank radius, %1; %2"),
              bound(from_si(field::crank_radius, input.crank_radius / (1.0 - nearest_to_locking)),
                    from_si(field::rod_length, input.rod_length()), units::mm),
-             describe(*locking)},
+             locking},
             Number{from_si(field::rod_length, input.rod_length())});
     }
     if (!(limit > 0.0)) {
-        throw InputError(
-            "/input/lambda",
-            {Text::tr("must be at most %1; %2"),
-             Number{.value = 1.0 - nearest_to_locking, .digits = 9}, describe(*locking)},
-            Number{input.lambda});
+        throw InputError("/input/lambda",
+                         {Text::tr("must be at most %1; %2"),
+                          Number{.value = 1.0 - nearest_to_locking, .digits = 9}, locking},
+                         Number{input.lambda});
     }
-    const double offset = cylinders[locking->cylinder].offset / units::mm;
-    const std::string pointer =
-        input.layout ? "/input/layout/offset_mm"
-                     : "/input/cylinders/" + std::to_string(locking->cylinder) + "/offset_mm";
+    const double offset = cylinder_offset / units::mm;
     throw InputError(
         pointer,
         {Text::tr("must be less than %1 in magnitude (rod length minus crank radius); %2"),
-         bound(limit, offset, units::mm), describe(*locking)},
+         bound(limit, offset, units::mm), locking},
         bound(offset, limit, units::mm));
 }
 
@@ -96,11 +96,10 @@ void check_articulated(const Input& input, const Engine& engine) {
         }
         const double mass = engine.cylinders[i].articulated->knuckle_mass;
         if (!(mass <= engine.rotating_mass)) {
-            throw InputError(
-                "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_mass_kg",
-                {Text::tr("must be at most %1, the rotating mass of one cylinder"),
-                 Number{.value = engine.rotating_mass, .digits = 6}},
-                Number{mass});
+            throw InputError(rod_pointer(i, field::knuckle_mass),
+                             {Text::tr("must be at most %1, the rotating mass of one cylinder"),
+                              Number{.value = engine.rotating_mass, .digits = 6}},
+                             Number{mass});
         }
         const ArticulatedCrank crank = engine.crank(i);
         constexpr double margin = 1e-12;  // nearer, rounding decides whether the crank passes
@@ -110,7 +109,7 @@ void check_articulated(const Input& input, const Engine& engine) {
             const Field& field = given ? field::articulated_length : field::knuckle_radius;
             const ArticulatedRod& rod = *engine.cylinders[i].articulated;
             throw InputError(
-                "/input/cylinders/" + std::to_string(i) + "/articulated/" + std::string(field.key),
+                rod_pointer(i, field),
                 {Text::tr("must leave the articulated rod longer than %1, the distance of its "
                           "knuckle pin from the cylinder's axis"),
                  Number{.value = reach * engine.crank_radius / units::mm, .digits = 6}},
@@ -191,7 +190,7 @@ RigidRod usual_rod(const Input& input) {
     return {mass, length / 3.0, mass * length * length * 2.0 / 9.0};
 }
 
-void check_input(const Input& input) {
+Engine make_engine(const Input& input) {
     check_fields(input);
     // The rod, R/λ, must have a length; field::lambda allows all that is greater than 0.
     if (constexpr Range ratios = Range::at_least(1e-9); !ratios.contains(input.ratio())) {
@@ -205,11 +204,15 @@ void check_input(const Input& input) {
     }
     if (input.layout) {
         check_layout(*input.layout);
-        // Only the offsets matter for locking; crankpins would need a top dead centre.
-        check_locking(input, {Cylinder{0.0, 0.0, input.layout->offset, 0.0}});
+        check_locking(input, input.layout->offset, 0, "/input/layout/offset_mm");
     } else {
         check_table(input);
-        check_locking(input, input.cylinders);
+        for (std::size_t each = 0; each < input.cylinders.size(); ++each) {
+            if (!input.cylinders[each].articulated) {
+                check_locking(input, input.cylinders[each].offset, each,
+                              "/input/cylinders/" + std::to_string(each) + "/offset_mm");
+            }
+        }
     }
     if (input.shafts.size() > static_cast<std::size_t>(max_shafts)) {
         throw InputError("/input/balance_shafts",
@@ -219,10 +222,15 @@ void check_input(const Input& input) {
     if (input.end_webs) {
         check_end_webs(*input.end_webs);
     }
-    const Engine engine = reduce(input);
+    Engine engine = reduce(input);
     check_throws(input, engine);
     check_articulated(input, engine);
     check_size(input, engine);
+    return engine;
+}
+
+void check_input(const Input& input) {
+    make_engine(input);
 }
 
 Input read_input(const Json& json) {

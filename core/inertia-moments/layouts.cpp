@@ -47,8 +47,9 @@ constexpr std::array<LayoutSpec, 20> library{{
 }};
 
 /// The number of stations along the crank.
-int station_count(Arrangement arrangement, int cylinders) {
-    return has_paired_banks(arrangement) ? (cylinders + 1) / 2 : cylinders;
+int station_count(const Layout& layout) {
+    const int cylinders = cylinder_count(layout);
+    return has_paired_banks(layout) ? (cylinders + 1) / 2 : cylinders;
 }
 
 /// What a layout has from the library; "vr" of any number of cylinders has it from the VR5.
@@ -90,15 +91,13 @@ int cylinder_count(const Layout& layout) {
     return layout.name == "vr" ? layout.cylinders : spec_of(layout).cylinders;
 }
 
-bool has_paired_banks(Arrangement arrangement) {
-    return arrangement == v || arrangement == double_vr;
+bool has_paired_banks(const Layout& layout) {
+    return arrangement_of(layout) == v || arrangement_of(layout) == double_vr;
 }
 
 double centred_position(const Layout& layout) {
-    const Arrangement arrangement = arrangement_of(layout);
-    const int stations = station_count(arrangement, cylinder_count(layout));
-    const double length =
-        layout.spacing * (stations - 1) + (has_paired_banks(arrangement) ? layout.stagger : 0.0);
+    const double length = layout.spacing * (station_count(layout) - 1) +
+                          (has_paired_banks(layout) ? layout.stagger : 0.0);
     return rounded(length / 2.0, field::first_position, 12);
 }
 
@@ -115,14 +114,14 @@ std::vector<Cylinder> make_cylinders(const Input& input) {
     cylinders.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         const bool blocks = arrangement == double_vr;
-        const int stations = station_count(arrangement, count);
+        const int stations = station_count(layout);
         const int station = blocks ? i % stations : arrangement == v ? i / 2 : i;
         const int bank = blocks ? i / stations : arrangement == in_line ? 0 : i % 2;
         const double tilt = bank == 0 ? side : -side;
         const double row = blocks ? (station % 2 == 0 ? 1.0 : -1.0) : 0.0;
         Cylinder& cylinder = cylinders.emplace_back();
         cylinder.axial_position = first - station * layout.spacing;
-        if (has_paired_banks(arrangement)) {
+        if (has_paired_banks(layout)) {
             cylinder.axial_position -= bank * layout.stagger;
         }
         cylinder.bank_angle = tilt * layout.bank_angle / 2.0 + row * w_inner_angle / 2.0;

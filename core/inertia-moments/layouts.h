@@ -53,7 +53,7 @@ Arrangement arrangement_of(const Layout& layout);
 int cylinder_count(const Layout& layout);
 
 /// Whether two banks share the stations of the crank; else the stagger has no effect.
-bool has_paired_banks(Arrangement arrangement);
+bool has_paired_banks(const Layout& layout);
 
 /// The cylinders of the input's layout. "vr": odd cylinders in bank 1 (positive angle and offset),
 /// crankpins for even firing over the cycle.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
-#include "inertia-moments/cylinder_orders.h"
 #include "inertia-moments/fields.h"
 
 namespace ravnoves::inertia_moments {
@@ -84,26 +83,28 @@ double relative_difference(const CylinderOrders& a, const CylinderOrders& b) {
 /// Exact orders of a cylinder with an articulated rod: the transform is doubled until that changes
 /// nothing.
 /// @param transforms  of so many samples, twice, four times…; grows as needed
-/// @return none where that accuracy is not reached
-std::optional<CylinderOrders> exact_articulated_orders(
-    const CylinderParts& parts, int max_order, double accuracy,
-    std::vector<UniformTransform<double>>& transforms) {
+/// @throws InputError where that accuracy is not reached
+CylinderOrders exact_articulated_orders(const Engine& engine, std::size_t cylinder, int max_order,
+                                        std::vector<UniformTransform<double>>& transforms) {
+    const CylinderParts parts = parts_of(engine, cylinder);
     CylinderOrders orders;
-    for (std::size_t i = 0;; ++i) {
+    for (std::size_t i = 0; i == 0 || transforms[i - 1].size() < longest_transform; ++i) {
         if (i == transforms.size()) {
             transforms.emplace_back(i == 0 ? 2 * static_cast<std::size_t>(max_order) + 8
                                            : 2 * transforms.back().size());
         }
-        CylinderOrders finer = exact_cylinder_orders(parts, max_order, transforms[i]);
-        const bool settled = i > 0 && relative_difference(finer, orders) <= accuracy;
+        CylinderOrders finer = cylinder_orders(parts, DesignBasis::exact, max_order, transforms[i]);
+        if (i > 0 && relative_difference(finer, orders) <= order_accuracy) {
+            return finer;
+        }
         orders = std::move(finer);
-        if (settled) {
-            return orders;
-        }
-        if (transforms[i].size() >= longest_transform) {
-            return std::nullopt;
-        }
     }
+    throw InputError(
+        rod_pointer(cylinder, field::knuckle_radius),
+        Text::tr("must keep the articulated rod farther from locking: its exact orders are not "
+                 "accurate enough"),
+        Number{from_si(field::knuckle_radius,
+                       engine.cylinders[cylinder].articulated->knuckle_radius)});
 }
 
 /// Adds the cylinders' orders up.
@@ -154,30 +155,74 @@ Complex turned(double angle, int k = 1) {
 
 }  // namespace
 
-EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) {
+CylinderOrders cylinder_orders(const CylinderParts& parts, DesignBasis form, int max_order,
+                               const UniformTransform<double>& transform) {
+    const std::size_t n = transform.size();
+    std::vector<double> along(n);
+    std::vector<double> across(n);
+    std::vector<double> spin(n);
+    std::vector<double> energy(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        const double sine = transform.node_sin()[j];
+        const double cosine = transform.node_cos()[j];
+        const ArticulatedMotion motion = form == DesignBasis::exact
+                                             ? parts.crank.at(sine, cosine)
+                                             : parts.crank.two_term_at(sine, cosine);
+        const double rate = motion.piston.ds;
+        const double swing =
+            parts.couple != 0.0 ? parts.crank.master.rod_at(sine, cosine).dpsi : 0.0;
+        // Less what the knuckle's mass would have at the crankpin, whose force turns with the crank
+        // and has neither moment nor torque.
+        const Complex pin = Complex(cosine, sine) + motion.arm;
+        const Complex pin_rate = Complex(-sine, cosine) + motion.darm;
+        along[j] = rate + parts.knuckle * motion.darm.real();
+        across[j] = parts.knuckle * motion.darm.imag();
+        spin[j] = parts.couple * swing - parts.crank.offset * rate +
+                  parts.knuckle * (std::conj(pin) * pin_rate).imag();
+        energy[j] = 0.5 * (rate * rate + parts.couple * swing * swing +
+                           parts.knuckle * std::norm(pin_rate));
+    }
+    const auto lost = [&](const std::vector<double>& values) {
+        auto orders = transform.orders(values, max_order);
+        double k = 0.0;
+        for (Harmonic<double>& order : orders) {
+            order = {-k * order.sin, k * order.cos};
+            k += 1.0;
+        }
+        return orders;
+    };
+    return {lost(along), parts.knuckle > 0.0 ? lost(across) : std::vector<Harmonic<double>>(),
+            lost(spin), lost(energy)};
+}
+
+CylinderOrders two_term_cylinder_orders(double lambda, double relative_offset, double couple) {
+    const double k = relative_offset;
+    const double p = k * lambda;
+    // The torque: −(cos θ + p sin θ + λ cos 2θ)(sin θ − p cos θ + λ/2 sin 2θ), product by product.
+    return {{{}, {1.0, p}, {lambda, 0.0}, {}, {}},
+            {},
+            {{}, {-k, -k * p - couple * lambda}, {-k * lambda, 0.0}, {}, {}},
+            {{},
+             {0.25 * p * lambda, 0.25 * lambda},
+             {p, -0.5 * (1.0 - p * p) + 0.5 * couple * lambda * lambda},
+             {0.75 * p * lambda, -0.75 * lambda},
+             {0.0, -0.25 * lambda * lambda}}};
+}
+
+EngineOrders exact_orders(const Engine& engine, int max_order) {
     std::optional<UniformTransform<double>> transform;
     std::vector<UniformTransform<double>> doubling;  // for articulated rods
     return add_up(engine, max_order, [&](std::size_t i) {
+        if (engine.cylinders[i].articulated) {
+            return exact_articulated_orders(engine, i, max_order, doubling);
+        }
         const CylinderParts parts = parts_of(engine, i);
-        if (!engine.cylinders[i].articulated) {
-            const SliderCrank<double>& crank = parts.crank.master;
-            const std::size_t samples =
-                transform_length(crank.harmonic_decay(), max_order, accuracy);
-            if (!transform || transform->size() < samples) {
-                transform.emplace(samples);
-            }
-            return exact_cylinder_orders(parts, max_order, *transform);
+        const std::size_t samples =
+            transform_length(parts.crank.master.harmonic_decay(), max_order, order_accuracy);
+        if (!transform || transform->size() < samples) {
+            transform.emplace(samples);
         }
-        auto orders = exact_articulated_orders(parts, max_order, accuracy, doubling);
-        if (!orders) {
-            throw InputError(
-                "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_radius_mm",
-                Text::tr("must keep the articulated rod farther from locking: its exact orders "
-                         "are not accurate enough"),
-                Number{from_si(field::knuckle_radius,
-                               engine.cylinders[i].articulated->knuckle_radius)});
-        }
-        return *std::move(orders);
+        return cylinder_orders(parts, DesignBasis::exact, max_order, *transform);
     });
 }
 
@@ -189,12 +234,8 @@ EngineOrders two_term_orders(const Engine& engine) {
         if (!engine.cylinders[i].articulated) {
             return two_term_cylinder_orders(engine.lambda, parts.crank.offset, parts.couple);
         }
-        CylinderOrders orders = cylinder_orders(
-            parts,
-            [&](double sin_theta, double cos_theta) {
-                return parts.crank.two_term_at(sin_theta, cos_theta);
-            },
-            highest_two_term_order, four_orders);
+        CylinderOrders orders =
+            cylinder_orders(parts, DesignBasis::two_term, highest_two_term_order, four_orders);
         // Forces have two orders; what rounding leaves of the others is nothing.
         for (auto* list : {&orders.along, &orders.across}) {
             for (std::size_t k = 3; k < list->size(); ++k) {
@@ -261,6 +302,81 @@ WrenchCurves with_orders(WrenchCurves curves, const EngineOrders& orders) {
         }
     }
     return curves;
+}
+
+std::array<Harmonic<double>, 5> components(const EngineOrder& order) {
+    return {order.force.horizontal(), order.force.vertical(), order.moment.horizontal(),
+            order.moment.vertical(), order.roll()};
+}
+
+std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term) {
+    constexpr double warning = 0.05;     // of a component, an error warns…
+    constexpr double negligible = 0.01;  // …unless it is less of the quantity's largest one…
+    constexpr double balanced = 0.02;  // …or of all cylinders in phase, as a balanced engine has
+    // A quantity's size: what its cylinders would reach in phase is the floor under rounding.
+    std::array<double, 3> largest{};
+    std::array<double, 3> scale{};
+    for (const EngineOrder& order : exact.orders) {
+        const auto values = components(order);
+        for (std::size_t c = 0; c < values.size(); ++c) {
+            largest[c / 2] = std::max(largest[c / 2], amplitude(values[c]));
+        }
+        scale[0] = std::max(scale[0], order.force_scale);
+        scale[1] = std::max(scale[1], order.moment_scale);
+        scale[2] = std::max(scale[2], order.roll_scale);
+    }
+    std::vector<Difference> differences;
+    for (const EngineOrder& order : exact.orders) {
+        const auto values = components(order);
+        const bool has_short = order.order <= static_cast<int>(two_term.orders.size());
+        const auto short_forms =
+            components(has_short ? two_term.order(order.order) : EngineOrder());
+        for (std::size_t c = 0; c < values.size(); ++c) {
+            const std::size_t q = c / 2;
+            const Harmonic<double>& right = values[c];
+            Harmonic<double> short_form = short_forms[c];
+            Difference d;
+            d.order = order.order;
+            d.component = c;
+            d.exact = amplitude(right);
+            const double floor = zero_share * scale[q];
+            d.two_term = amplitude(short_form);
+            if (!(d.two_term > std::max(floor, zero_share * largest[q]))) {
+                d.two_term = 0.0;  // what rounding leaves
+                short_form = {};
+            }
+            d.error = std::hypot(right.cos - short_form.cos, right.sin - short_form.sin);
+            const double reference = std::max(largest[q], balanced * scale[q]);
+            if (reference > 0.0) {
+                d.of_largest = d.error / reference;
+            }
+            if (d.exact > std::max(floor, zero_share * largest[q])) {
+                d.relative = d.error / d.exact;
+                d.warning = *d.relative > warning && d.of_largest > negligible;
+            }
+            differences.push_back(d);
+        }
+    }
+    return differences;
+}
+
+Message describe(const Difference& difference) {
+    constexpr Text quantities[] = {Text::tr("order %1 force"), Text::tr("order %1 moment"),
+                                   Text::tr("order %1 roll moment")};
+    constexpr Text planes[] = {Text::tr("%1, horizontal plane"), Text::tr("%1, vertical plane")};
+    Message component(quantities[difference.component / 2], difference.order);
+    if (difference.component < 4) {
+        component = Message(planes[difference.component % 2], component);
+    }
+    const auto percent = [](double share) {
+        return Number{share / units::percent, units::none, -1};
+    };
+    if (difference.two_term == 0.0) {
+        return {Text::tr("%1: not in the two-term form, %2 % of the maximum order"), component,
+                percent(difference.of_largest)};
+    }
+    return {Text::tr("%1: error of the two-term form %2 %"), component,
+            percent(difference.relative.value_or(0.0))};
 }
 
 }  // namespace ravnoves::inertia_moments

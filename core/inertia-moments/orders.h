@@ -1,7 +1,6 @@
 #pragma once
 
-#include <complex>
-#include <cstddef>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,8 +8,6 @@
 #include "numerics/harmonics.h"
 
 namespace ravnoves::inertia_moments {
-
-using Complex = std::complex<double>;  ///< a vector in the front view: x + iy
 
 /// One order of a vector in the front view as two rotating vectors:
 /// x + iy = A e^{ikφ} + B e^{−ikφ}. Its tip runs round an ellipse.
@@ -90,12 +87,41 @@ struct EngineOrders {
     EngineOrder order(int k) && { return orders[static_cast<std::size_t>(k) - 1]; }
 };
 
+/// Orders of what the moving parts of one cylinder do, by its own crank angle θ, in units of m_j R
+/// ω² (forces) and m_j R² ω² (moments). [k] is order k; [0] the mean.
+struct CylinderOrders {
+    std::vector<Harmonic<double>> along;   ///< force along the cylinder's axis
+    std::vector<Harmonic<double>> across;  ///< counter-clockwise; empty without a mass at a knuckle
+    std::vector<Harmonic<double>> roll;    ///< moment about the crank axis
+    std::vector<Harmonic<double>> torque;  ///< on the crank
+};
+
+/// The moving parts of a cylinder, in units of m_j and R.
+struct CylinderParts {
+    ArticulatedCrank crank;
+    double knuckle = 0.0;  ///< mass at the knuckle pin instead of the crankpin
+    double couple = 0.0;   ///< inertia of a rod on the crankpin above its two masses'
+};
+
+/// Orders of a cylinder by a discrete Fourier transform.
+///
+/// Forces and moments are what momentum, spin and energy lose by θ: −m a of piston and knuckle pin,
+/// its moment, its torque by virtual work, F ds/dφ; the same of the rod's couple with its angle ψ.
+/// The samples are of those: they are finite up to locking, where s″ is not.
+/// @param form  two_term: of the motion by two_term_at()
+/// @param transform  its length on the crankpin by transform_length(crank.harmonic_decay(), …)
+CylinderOrders cylinder_orders(const CylinderParts& parts, DesignBasis form, int max_order,
+                               const UniformTransform<double>& transform);
+
+/// The paper's two-term force cos θ + Kλ sin θ + λ cos 2θ, with the torque that belongs to it: the
+/// product with its own integral (orders 1…4, mean 0). The rod's angle to the same order is
+/// ψ = λ(K − sin θ).
+CylinderOrders two_term_cylinder_orders(double lambda, double relative_offset, double couple);
+
 /// Exact orders 1…max_order of forces and moments. Where rods are articulated, the transform grows
 /// until twice its samples change nothing.
-/// @param accuracy  of the orders relative to m R ω² (sets the transform's length)
 /// @throws InputError where an articulated rod is too near locking for that
-EngineOrders exact_orders(const Engine& engine, int max_order = highest_order,
-                          double accuracy = order_accuracy);
+EngineOrders exact_orders(const Engine& engine, int max_order = highest_order);
 
 /// The paper's two-term form, orders 1…4: forces and moments have 1 and 2, the torque 1…4. The
 /// paper has none for an articulated rod; ArticulatedCrank::two_term_at() becomes the paper's as
@@ -119,5 +145,31 @@ WrenchCurves exact_curves(const Engine& engine, std::vector<double> angles);
 
 /// The exact curves, and beside them the curves of a sum of orders.
 WrenchCurves with_orders(WrenchCurves curves, const EngineOrders& orders);
+
+/// Of an order: force and moment, each horizontal and vertical, and the roll moment.
+std::array<Harmonic<double>, 5> components(const EngineOrder& order);
+
+/// How far the two-term form is from the exact one, in one component of one order.
+struct Difference {
+    int order = 0;
+    std::size_t component = 0;  ///< of components()
+    double exact = 0.0;         ///< amplitude, N or N·m
+    double two_term = 0.0;      ///< amplitude
+    double error = 0.0;         ///< amplitude of the difference (a wrong phase counts), N or N·m
+    /// error / exact; empty where the exact amplitude is negligible beside the quantity's largest.
+    std::optional<double> relative;
+    /// error / the quantity's largest amplitude of any order (of a balanced engine: 2 % of what its
+    /// cylinders would reach in phase).
+    double of_largest = 0.0;
+    /// Both are so large that the two-term form is not enough for this component.
+    bool warning = false;
+};
+
+/// Compares all orders of `exact` component by component; orders that the two-term form does not
+/// have count as left out whole.
+std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term);
+
+/// A warning as a sentence: "order 1 force, vertical plane: the two-term form is 12.8 % off".
+Message describe(const Difference& difference);
 
 }  // namespace ravnoves::inertia_moments

@@ -9,7 +9,7 @@
 
 #include "case-file/decimal.h"
 #include "inertia-moments/fields.h"
-#include "inertia-moments/solver.h"
+#include "inertia-moments/result.h"
 
 namespace ravnoves::inertia_moments {
 

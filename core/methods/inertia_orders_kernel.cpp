@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include "inertia-moments/cylinder_orders.h"
-#include "inertia-moments/engine.h"
+#include "inertia-moments/orders.h"
 #include "methods/definition.h"
 #include "methods/reference_mechanism.h"
 
@@ -34,17 +33,15 @@ void put(const CylinderOrders& orders, std::span<double> out) {
 
 /// What the scene says where there is nothing to compare with.
 Message rejection_of(const Crank& crank) {
-    const auto locking = inertia_moments::find_locking(crank.crank_radius, crank.lambda(),
-                                                       {{0.0, 0.0, crank.offset, 0.0}});
-    return locking ? inertia_moments::describe(*locking) : Message();
+    return inertia_moments::locking_of({1.0, 1.0 / crank.lambda(), crank.relative_offset()}, 0);
 }
 
 /// Orders that fold onto others are not there; they are left zero.
 CylinderOrders transformed(const SliderCrank<double>& crank, std::size_t samples) {
     const UniformTransform<double> transform(samples);
     const int known = std::min(max_order, static_cast<int>(samples) / 2 - 1);
-    return inertia_moments::exact_cylinder_orders(
-        {{crank, 1.0, 0.0, crank.rod_length, crank.offset}}, known, transform);
+    return inertia_moments::cylinder_orders({{crank, 1.0, 0.0, crank.rod_length, crank.offset}},
+                                            inertia_moments::DesignBasis::exact, known, transform);
 }
 
 Method<Crank> method_of(MethodInfo info, CylinderOrders (*orders)(const Crank&, double setting)) {

@@ -10,8 +10,8 @@
 #include <numeric>
 #include <vector>
 
+#include "inertia-moments/engine.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "inertia-moments/pose.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "text/number_text.h"

@@ -6,7 +6,7 @@
 
 #include "inertia-moments/layouts.h"
 #include "inertia-moments/presets.h"
-#include "inertia-moments/solver.h"
+#include "inertia-moments/result.h"
 #include "methods/validation/rows.h"
 #include "numerics/units.h"
 

@@ -22,7 +22,7 @@
 #include "elastic-hinge/solver.h"
 #include "inertia-moments/orders.h"
 #include "inertia-moments/presets.h"
-#include "inertia-moments/solver.h"
+#include "inertia-moments/result.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
 #include "studies/study_run.h"

@@ -1,6 +1,6 @@
 // Master and articulated rods against the closure of the loop in 50 digits, momentum and energy by
 // differences of positions, and the second order that follows by hand.
-#include "inertia-moments/articulated_rods.h"
+#include "inertia-moments/rods.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,9 @@
 #include "case-file/json.h"
 #include "case-file/result_json.h"
 #include "engines.h"
-#include "inertia-moments/comparison.h"
+#include "inertia-moments/engine.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/input.h"
-#include "inertia-moments/pose.h"
 #include "inertia-moments/presets.h"
 #include "numerics/real50.h"
 

@@ -6,8 +6,8 @@
 #include "error_of.h"
 #include "inertia-moments/input.h"
 #include "inertia-moments/layouts.h"
+#include "inertia-moments/result.h"
 #include "inertia-moments/results.h"
-#include "inertia-moments/solver.h"
 
 namespace ravnoves::inertia_moments::test {
 

@@ -89,7 +89,7 @@ TEST(ExactOrders, SumOverOrdersIsTheTimeCurve) {
         Input with_step = input;
         with_step.step = 5.0 * degree;
         const Engine engine = make_engine(input);
-        const EngineOrders orders = exact_orders(engine, 40, 1e-14);
+        const EngineOrders orders = exact_orders(engine, 40);
         const double unit = engine.force_unit();
         double mean_roll = 0.0;  // the orders have none; articulated rods do
         for (int k = 0; k < 64; ++k) {

@@ -7,9 +7,7 @@
 #include <random>
 
 #include "bob-weights/solver.h"
-#include "inertia-moments/engine.h"
-#include "inertia-moments/orders.h"
-#include "inertia-moments/rotating_masses.h"
+#include "inertia-moments/balancing.h"
 
 namespace ravnoves {
 namespace {

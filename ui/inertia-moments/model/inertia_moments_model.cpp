@@ -252,10 +252,9 @@ bool InertiaMomentsModel::hasSharedPins() const {
 }
 
 QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
-    const auto rods = inertia_moments::rods_per_throw(result().engine.throws);
+    const auto count = static_cast<double>(result().engine.throws.front().cylinders.size());
     return edit(fieldName(field::rotating_mass), [&](Input& input) {
         if (input.rotating_mass_of_throw != ofThrow) {
-            const auto count = static_cast<double>(rods.value_or(1));
             const double mass = ofThrow ? input.rotating_mass * count : input.rotating_mass / count;
             input.rotating_mass = rounded(mass, field::rotating_mass, 12);
             input.rotating_mass_of_throw = ofThrow;
@@ -289,8 +288,7 @@ bool InertiaMomentsModel::canChangeBankAngle() const {
 }
 
 bool InertiaMomentsModel::canBeStaggered() const {
-    return input().layout &&
-           inertia_moments::has_paired_banks(inertia_moments::arrangement_of(*input().layout));
+    return input().layout && inertia_moments::has_paired_banks(*input().layout);
 }
 
 double InertiaMomentsModel::offsetMm() const {

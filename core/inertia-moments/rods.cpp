@@ -1,9 +1,9 @@
-#include "inertia-moments/articulated_rods.h"
+#include "inertia-moments/rods.h"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <string>
+#include <numeric>
 
 #include "case-file/input_error.h"
 #include "inertia-moments/fields.h"
@@ -14,16 +14,30 @@ namespace ravnoves::inertia_moments {
 
 namespace {
 
-constexpr int scan_samples = 90;  ///< of a turn, when an extremum is looked for
+/// Angles that differ by less are the same, rad: what rounding in a table leaves.
+constexpr double same_angle = 1e-6;
 
-/// The root of f between two places where it has different signs.
-template <typename Function>
-double root_between(const Function& f, double low, double high) {
-    std::uintmax_t steps = 100;
-    const auto [before, after] = boost::math::tools::toms748_solve(
-        f, low, high, boost::math::tools::eps_tolerance<double>(), steps);
-    return 0.5 * (before + after);
+bool same_direction(double a, double b) {
+    return std::abs(std::remainder(a - b, two_pi)) < same_angle;
 }
+
+bool shares_pin(const Throw& pin, const Cylinder& cylinder, std::span<const Cylinder> all,
+                double crank_radius) {
+    if (!same_direction(pin.crankpin_angle, cylinder.crankpin_angle)) {
+        return false;
+    }
+    bool near = false;
+    for (const std::size_t i : pin.cylinders) {
+        if (same_direction(all[i].bank_angle, cylinder.bank_angle)) {
+            return false;
+        }
+        const double distance = std::abs(all[i].axial_position - cylinder.axial_position);
+        near = near || distance < crank_radius * (1.0 - 1e-9);
+    }
+    return near;
+}
+
+constexpr int scan_samples = 90;  ///< of a turn, when an extremum is looked for
 
 /// The angle in −π…π where a periodic function has its maximum: the best of a scan, then the root
 /// of the slope between its neighbours.
@@ -39,13 +53,13 @@ double angle_of_maximum(const Function& f, const Slope& slope) {
             best = angle;
         }
     }
-    const bool bracketed = slope(best - step) > 0.0 && slope(best + step) < 0.0;
-    return bracketed ? root_between(slope, best - step, best + step) : best;
-}
-
-std::string rod_pointer(std::size_t cylinder, const Field& field) {
-    return "/input/cylinders/" + std::to_string(cylinder) + "/" +
-           std::string(field::articulated.key) + "/" + std::string(field.key);
+    if (!(slope(best - step) > 0.0 && slope(best + step) < 0.0)) {
+        return best;
+    }
+    std::uintmax_t steps = 100;
+    const auto [before, after] = boost::math::tools::toms748_solve(
+        slope, best - step, best + step, boost::math::tools::eps_tolerance<double>(), steps);
+    return 0.5 * (before + after);
 }
 
 /// The throw of a cylinder.
@@ -101,6 +115,84 @@ std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std
 }
 
 }  // namespace
+
+std::string numbers_of(std::span<const std::size_t> cylinders) {
+    std::string text;
+    for (const std::size_t i : cylinders) {
+        text += (text.empty() ? "" : ", ") + std::to_string(i + 1);
+    }
+    return text;
+}
+
+std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius) {
+    std::vector<std::size_t> order(cylinders.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto front_first = [&](std::size_t a, std::size_t b) {
+        return cylinders[a].axial_position > cylinders[b].axial_position;
+    };
+    // Masters that are named first, then the rods that name them: what else is in the direction
+    // of one of these has a crankpin of its own.
+    const auto names = [&](const Cylinder& rod, std::size_t i) {
+        return rod.articulated && static_cast<std::size_t>(rod.articulated->master) == i + 1;
+    };
+    const auto rank = [&](std::size_t i) {
+        if (cylinders[i].articulated) {
+            return cylinders[i].articulated->master > 0 ? 1 : 2;
+        }
+        return std::any_of(cylinders.begin(), cylinders.end(),
+                           [&](const Cylinder& rod) { return names(rod, i); })
+                   ? 0
+                   : 2;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return rank(a) != rank(b) ? rank(a) < rank(b) : front_first(a, b);
+    });
+    std::vector<Throw> throws;
+    for (const std::size_t i : order) {
+        const Cylinder& cylinder = cylinders[i];
+        const auto is_own = [&](const Throw& each) {
+            return shares_pin(each, cylinder, cylinders, crank_radius);
+        };
+        const auto is_masters = [&](const Throw& each) {
+            return is_own(each) && std::any_of(each.cylinders.begin(), each.cylinders.end(),
+                                               [&](std::size_t on) { return names(cylinder, on); });
+        };
+        // The throw behind the others is the nearest.
+        auto pin = std::find_if(throws.rbegin(), throws.rend(), is_masters);
+        if (pin == throws.rend()) {
+            pin = std::find_if(throws.rbegin(), throws.rend(), is_own);
+        }
+        Throw& own = pin != throws.rend()
+                         ? *pin
+                         : throws.emplace_back(Throw{{}, 0.0, cylinder.crankpin_angle});
+        own.cylinders.push_back(i);
+    }
+    for (Throw& each : throws) {
+        std::sort(each.cylinders.begin(), each.cylinders.end());
+        std::stable_sort(each.cylinders.begin(), each.cylinders.end(), front_first);
+        for (const std::size_t i : each.cylinders) {
+            each.position +=
+                cylinders[i].axial_position / static_cast<double>(each.cylinders.size());
+        }
+    }
+    std::stable_sort(throws.begin(), throws.end(), [&](const Throw& a, const Throw& b) {
+        return front_first(a.cylinders.front(), b.cylinders.front());
+    });
+    return throws;
+}
+
+std::map<std::size_t, const Throw*> kinds_of_throw(std::span<const Throw> throws) {
+    std::map<std::size_t, const Throw*> kinds;
+    for (const Throw& each : throws) {
+        kinds.try_emplace(each.cylinders.size(), &each);
+    }
+    return kinds;
+}
+
+std::string rod_pointer(std::size_t cylinder, const Field& field) {
+    return "/input/cylinders/" + std::to_string(cylinder) + "/" +
+           std::string(field::articulated.key) + "/" + std::string(field.key);
+}
 
 ArticulatedMotion ArticulatedCrank::at(double sin_theta, double cos_theta) const {
     if (is_plain()) {
@@ -199,23 +291,6 @@ void complete_rods(std::vector<Cylinder>& cylinders, std::span<const Throw> thro
         rod.rod_length = rod.rod_length.value_or(rod_length - rod.knuckle_radius);
         cylinder.crankpin_angle = master.crankpin_angle;
     }
-}
-
-Message unusual_rod_note(std::span<const Cylinder> cylinders, double rod_length) {
-    constexpr double rounding = 1e-9;  // of the length
-    std::vector<std::size_t> longer;
-    for (std::size_t i = 0; i < cylinders.size(); ++i) {
-        const auto& rod = cylinders[i].articulated;
-        if (rod && *rod->rod_length > rod_length * (1.0 + rounding)) {
-            longer.push_back(i);
-        }
-    }
-    return longer.empty()
-               ? Message()
-               : Message(Text::tr("The articulated rods of cylinders %1 are longer than the master "
-                                  "rod (%2); usual: shorter by about the knuckle radius."),
-                         numbers_of(longer),
-                         Number{.value = rod_length / units::mm, .unit = units::mm, .digits = 6});
 }
 
 void hang_on_masters(std::vector<Cylinder>& cylinders, double crank_radius) {

@@ -3,15 +3,35 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <optional>
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "case-file/field.h"
+#include "case-file/message.h"
 #include "inertia-moments/input.h"
-#include "inertia-moments/throws.h"
 #include "numerics/slider_crank.h"
 
 namespace ravnoves::inertia_moments {
+
+/// A throw of the crank: one crankpin with the rods that run on it.
+struct Throw {
+    std::vector<std::size_t> cylinders;  ///< indices in the table, from the front to the rear
+    double position = 0.0;               ///< mean axial position of its rods, m
+    double crankpin_angle = 0.0;         ///< κ, rad
+};
+
+/// "1, 4" of indices.
+std::string numbers_of(std::span<const std::size_t> cylinders);
+
+/// The throws, from the front to the rear. Rods share a crankpin where it is at the same angle for
+/// both, their cylinders are in different directions, and they are less than the crank radius apart
+/// along the crank (0 where they are forked, else the width of a big end).
+std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius);
+
+/// By each number of rods, from the fewest to the most, the first throw with it.
+std::map<std::size_t, const Throw*> kinds_of_throw(std::span<const Throw> throws);
 
 /// The motion of a cylinder whose rod hangs on a master rod, by its own crank angle θ, in units of
 /// R. Vectors are complex: along the cylinder's axis + i across it, counter-clockwise.
@@ -58,6 +78,9 @@ struct ArticulatedCrank {
     double dead_centre(double side) const;
 };
 
+/// JSON pointer of a field of a cylinder's articulated rod.
+std::string rod_pointer(std::size_t cylinder, const Field& field);
+
 /// Fills in what the input leaves out of articulated rods: the master, where one plain rod alone
 /// runs on the same pin; γ, the difference of the bank angles; l, the master rod's length less r_k.
 /// They run on the master's crankpin, whatever rounding left in the table.
@@ -65,10 +88,6 @@ struct ArticulatedCrank {
 /// runs on another pin, or that must be named; a knuckle radius of a rod's length
 void complete_rods(std::vector<Cylinder>& cylinders, std::span<const Throw> throws,
                    double rod_length);
-
-/// What no engine is built with: articulated rods longer than their master. Empty without them.
-/// @param cylinders  completed
-Message unusual_rod_note(std::span<const Cylinder> cylinders, double rod_length);
 
 /// The usual knuckle radius of a radial: the pins are close round the crankpin's bearing.
 inline constexpr double usual_knuckle_share = 0.75;  ///< of the crank radius
