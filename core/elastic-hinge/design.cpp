@@ -4,6 +4,7 @@
 #include <boost/math/interpolators/quintic_hermite.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/cos_pi.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/special_functions/sin_pi.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -44,7 +45,10 @@ Design::Design(const Input& input, bool with_rod, bool with_moments, int samples
       states_(grid_->size()) {
     const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
     static_moment_ = solved ? 0.0 : mechanism_.static_moment();
-    integral_ = elastic_hinge::rod_hinge_integral(mechanism_, static_moment_, kinematics_);
+    const double lambda = mechanism_.lambda;
+    integral_ = mechanism_.gravity * static_moment_ *
+                (kinematics_ == Kinematics::exact ? 4.0 * boost::math::ellint_2(lambda)
+                                                  : two_pi * (1.0 - 0.25 * lambda * lambda));
     tabulate_states(with_moments);
     if (has_exact_kinematics() && with_rod) {
         tabulate_work();

@@ -4,10 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "elastic-hinge/energy.h"
 #include "elastic-hinge/input.h"
 #include "elastic-hinge/kinematics.h"
-#include "elastic-hinge/rod_hinge_moment.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -75,7 +73,8 @@ class Design {
     /// False for λ = 1: M, M₁ and every guide need the exact kinematics.
     bool has_exact_kinematics() const { return mechanism_.lambda < 1.0; }
 
-    /// ∮ M₁₂ dφ, J.
+    /// ∮ M₁₂ dφ, J: the inertia part is odd in φ, the weights leave g × static moment × ∮ cos ψ dφ,
+    /// which is 4 E(λ) exactly and 2π (1 − λ²/4) for the series. Independent of ω.
     double rod_hinge_integral() const { return integral_; }
     /// Its mean over the turn, N·m: what (5) takes off.
     double rod_hinge_mean() const { return integral_ / two_pi; }

@@ -57,8 +57,7 @@ void add_rod_hinge(std::vector<Formula>& list, const Input& input) {
 }  // namespace
 
 std::vector<Formula> formulas(const Input& input) {
-    const Spring spring = input.spring.value_or(Spring{});
-    const bool compressed = spring.guide_radius_at_zero <= 0.5 * spring.free_length;
+    const bool compressed = input.spring.value_or(Spring{}).branch() == Branch::compressed;
     std::vector<Formula> list;
     list.push_back(
         {Text::tr("Moment that keeps the crank's speed"),

@@ -104,11 +104,6 @@ Message overlap_note(Hinge hinge, const BranchSummary& branch, double roller_rad
             number(2.0 * branch.min_radius, units::mm)};
 }
 
-double Spring::start_radius(Branch branch) const {
-    const bool given = (guide_radius_at_zero < 0.5 * free_length) == (branch == Branch::compressed);
-    return given ? guide_radius_at_zero : free_length - guide_radius_at_zero;
-}
-
 double guide_radius(const Spring& spring, Branch branch, double q) {
     const double d0 = spring.preload();
     const double change = q == 0.0 ? 0.0 : q / (d0 + std::sqrt(d0 * d0 - q));
@@ -149,8 +144,7 @@ std::pair<GuidePoint, GuidePoint> GuideShape::both(const Demand& demand) const {
         return {none, none};
     }
     const double d = std::sqrt(std::max(square, 0.0));
-    // guide_radius() for both branches: ρ = ρ₀ ± q / (d₀ + d).
-    const double change = q == 0.0 ? 0.0 : q / (d0 + d);
+    const double change = q == 0.0 ? 0.0 : q / (d0 + d);  // as in guide_radius()
     double slope = 0.0;
     double second = 0.0;
     const double dsquare = -scale_ * demand.moment;
@@ -215,7 +209,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     const auto shape =
         std::make_shared<const GuideShape>(std::move(design), hinge, *spring, input.guide_sign);
     guide.shape = shape;
-    guide.branch = shape->branch();
+    guide.branch = spring->branch();
     guide.preload = spring->preload();
 
     const DemandRange given_out = shape->given_out();
@@ -228,7 +222,6 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     const bool exists = given_out.max <= square + shape->rounding();
     const double lowest = std::sqrt(std::max(square - given_out.max, 0.0));
     const double highest = std::sqrt(square - given_out.min);
-    guide.smallest_deflection = lowest;
     const double half_length = 0.5 * spring->free_length;
 
     // Where it ends is seen angle by angle.

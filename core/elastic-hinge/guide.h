@@ -48,14 +48,8 @@ class GuideShape {
     GuideShape(std::shared_ptr<const Design> design, Hinge hinge, const Spring& spring,
                GuideSign sign);
 
-    Hinge hinge() const { return hinge_; }
     const Design& design() const { return *design_; }
     const Spring& spring() const { return spring_; }
-    /// The branch of ρ₀.
-    Branch branch() const {
-        return spring_.guide_radius_at_zero > 0.5 * spring_.free_length ? Branch::stretched
-                                                                        : Branch::compressed;
-    }
 
     /// At a crank angle in rad, any; the radius is not a number where the spring would have to
     /// give out more than it stores.
@@ -126,7 +120,6 @@ struct Guide {
     double relief = 0.0;                ///< max ρ − min ρ, m
     double largest_spring_force = 0.0;  ///< N
     double smallest_spring_force = 0.0;
-    double smallest_deflection = 0.0;    ///< min |ℓ₀/2 − ρ|, m
     double largest_moment = 0.0;         ///< of the hinge, N·m
     Branch branch = Branch::compressed;  ///< of ρ₀
     BranchSummary compressed;

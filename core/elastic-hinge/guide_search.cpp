@@ -6,7 +6,6 @@
 #include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
-#include "numerics/maximum.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -14,19 +13,6 @@ namespace {
 
 Number millimetres(double length) {
     return {rounded_to_decimals(length / units::mm, 3), units::mm};
-}
-
-/// The largest roller that follows the path, m; empty where any does.
-std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
-    const double side = branch == Branch::compressed ? -1.0 : 1.0;
-    const auto against = [&](double phi) { return side * shape.at(branch, phi).curvature(); };
-    const auto grid = angle_grid(721);
-    Maximum sharpest;
-    for (const double phi : grid->angle) {
-        sharpest.take(against(phi), phi);
-    }
-    sharpest.sharpen(against, grid->angle[1]);
-    return sharpest.found ? std::optional(1.0 / sharpest.value) : std::nullopt;
 }
 
 /// The smallest d_min whose preload √(d_min² + G) is more than the smallest one, √G, by the margin
@@ -114,9 +100,9 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, const In
         return spring;
     };
     const auto follows = [&](double minimum) {
-        const GuideShape shape(design, Hinge::crank, spring_for(minimum), input.guide_sign);
-        const auto roller = largest_roller(shape, branch);
-        return !roller || roller_radius <= *roller;
+        return !make_guide(design, Hinge::crank, spring_for(minimum), input, true)
+                    .summary(branch)
+                    .undercut;
     };
     // More preload usually smooths the guide, but not always: look everywhere, then sharpen.
     constexpr int looks = 64;
@@ -162,15 +148,12 @@ bool meets_wish(const Guide& guide, const Input& input) {
         return false;
     }
     const GuideWish wish = input.guide_search.value_or(GuideWish{});
-    const double free_length = input.spring->free_length;
     constexpr double rounding = 1e-6;  // m
-    const double shortest = guide.branch == Branch::compressed
-                                ? free_length - 2.0 * (guide.smallest_deflection + guide.relief)
-                                : free_length + 2.0 * guide.smallest_deflection;
     return guide.relief >= wish.relief - rounding &&
            2.0 * (input.roller_radius + guide.summary().max_radius) <=
                wish.outer_diameter + rounding &&
-           shortest >= wish.shortest(free_length) - rounding &&
+           2.0 * guide.summary().min_radius >=
+               wish.shortest(input.spring->free_length) - rounding &&
            guide.preload - guide.minimum_preload >= wish.preload_margin - rounding &&
            !guide.summary().undercut;
 }

@@ -41,7 +41,13 @@ struct Spring {
 
     /// |ℓ₀/2 − ρ₀|, m: half the change of the spring's length at φ = 0.
     double preload() const { return std::abs(0.5 * free_length - guide_radius_at_zero); }
-    double start_radius(Branch branch) const;  ///< at φ = 0 on a branch, m
+    /// The branch of ρ₀.
+    Branch branch() const {
+        return guide_radius_at_zero > 0.5 * free_length ? Branch::stretched : Branch::compressed;
+    }
+    double start_radius(Branch of) const {  ///< at φ = 0 on a branch, m
+        return of == branch() ? guide_radius_at_zero : free_length - guide_radius_at_zero;
+    }
     bool operator==(const Spring&) const = default;
 };
 

@@ -34,6 +34,7 @@ struct Mechanism {
     Scalar counterweight_distance = Scalar(0);  ///< ℓ₂ beyond A, m
     CounterweightInertia counterweight_inertia = CounterweightInertia::newton_euler;
 
+    bool has_counterweight() const { return counterweight_distance > 0; }
     Scalar rod_length() const { return crank_radius / lambda; }  ///< ℓ, m
     /// Moment of the weights of rod, slider and counterweight about A at ψ = 0, divided by g, kg·m:
     /// (m₃ + m₂/2) ℓ − m₄ ℓ₂. Equation (10) makes it zero.

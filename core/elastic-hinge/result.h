@@ -27,12 +27,6 @@ struct Result {
     std::vector<double> crank_angle_deg;  ///< 0…360
     MechanismCurves curves;
 
-    double rod_hinge_integral = 0.0;  ///< ∮ M₁₂ dφ, J
-    double counterweight_mass = 0.0;  ///< P₄/g, kg; 0 without one
-    bool has_counterweight = false;
-    /// The counterweight's mass by (10) at the given distance, kg; 0 without one.
-    double balancing_mass = 0.0;
-
     double largest_side_force_without = 0.0;  ///< N, over the continuous turn
     double largest_side_force_with = 0.0;
     /// What the slider's guide bears when a hinge with M₁₂'s potential part is built, by
@@ -58,5 +52,32 @@ struct Result {
 
     std::shared_ptr<const Design> design;
 };
+
+/// What solve() is to compute beside the result proper.
+struct SolveOptions {
+    int samples = 721;  ///< crank angles, both ends of the turn included; at least 13
+    /// With side forces, what the series differs by, and what guides need angle by angle: a guide
+    /// of a spring that suffices follows else from the demand's range alone.
+    bool with_curves = true;
+    bool with_rod_guides = true;  ///< the guides of the rod's hinge and of the crank's beside it
+};
+
+/// Solves the scene.
+/// @throws InputError as check_input(), and for inputs whose results leave the range of numbers
+Result solve(const Input& input, const SolveOptions& options = {});
+
+/// The curves of a design with moments at any crank speed, rad/s.
+MechanismCurves curves_at(const Design& design, double omega);
+
+/// Where the parts are at one crank angle, for the picture; m.
+struct MechanismPose {
+    PlanePoint crankpin;
+    PlanePoint slider;
+    PlanePoint counterweight;  ///< at the crankpin without one
+    double rod_angle = 0.0;    ///< of the rod against +x, counter-clockwise, rad: −ψ
+};
+
+/// @param phi  rad, any; λ ≤ 1 (at λ = 1 the slider stays at 0 on the far side)
+MechanismPose mechanism_pose(const Result& result, double phi);
 
 }  // namespace ravnoves::elastic_hinge

@@ -10,7 +10,7 @@
 
 #include "case-file/decimal.h"
 #include "elastic-hinge/motion.h"
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/result.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -170,12 +170,11 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
         visitor.object(field, [&] {
             const Guide& guide = hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod
                                                                    : result.crank_guide;
-            if (!result.design->has_exact_kinematics()) {
+            const bool locks = !result.design->has_exact_kinematics();
+            if (locks || (hinges != HingeSet::none && !guide.feasible)) {
                 visitor.flag(feasible, false);
-                visitor.text(reason, Text::tr("at lambda = 1 the mechanism locks"));
-            } else if (hinges != HingeSet::none && !guide.feasible) {
-                visitor.flag(feasible, false);
-                visitor.text(reason, guide.reason);
+                visitor.text(reason,
+                             locks ? Text::tr("at lambda = 1 the mechanism locks") : guide.reason);
             } else {
                 visit_motion(visitor, simulate(input, result, hinges));
             }
@@ -189,21 +188,22 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
 }  // namespace
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
-    const double g = result.design->mechanism().gravity;
+    const Mechanism<double>& mechanism = result.design->mechanism();
+    const double g = mechanism.gravity;
     visit_verdict(visitor, [&] { return verdict(input, result); });
     visitor.number(
         {"rod_hinge_moment_integral_J", Text::tr("∮ M₁₂ dφ"), 3,
          Text::tr("Work of the rod hinge's moment over a turn; 0 if a spring can supply it.")},
-        result.rod_hinge_integral);
-    if (result.has_counterweight) {
+        result.design->rod_hinge_integral());
+    if (mechanism.has_counterweight()) {
         visitor.number({"counterweight_weight_N", Text::tr("Counterweight P₄"), 3,
                         Text::tr("Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
-                       result.counterweight_mass * g);
+                       mechanism.counterweight_mass * g);
         visitor.number({"counterweight_mass_kg", Text::tr("Counterweight P₄"), 4,
                         Text::tr("Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
-                       result.counterweight_mass);
+                       mechanism.counterweight_mass);
         visitor.number({"balancing_weight_N", Text::tr("Balancing weight")},
-                       result.balancing_mass * g);
+                       mechanism.balancing_mass() * g);
     }
     visitor.object(key::guide, [&] { visit_guide(visitor, result.crank_guide); });
     visitor.object(key::guide_beside_rod_hinge,

@@ -1,7 +1,9 @@
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/result.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "case-file/decimal.h"
@@ -25,19 +27,16 @@ double largest(const std::vector<double>& samples, const std::vector<double>& an
     return found.value;
 }
 
-/// Not finite anywhere: the sum of finite numbers in range is finite, of others it is not.
-bool all_finite(const std::vector<double>& values) {
+/// @throws InputError where one is not finite: 0 times it is not 0
+void check_finite(std::span<const double> values) {
     double sum = 0.0;
     for (const double value : values) {
         sum += value * 0.0;
     }
-    return sum == 0.0;
-}
-
-[[noreturn]] void reject_extreme() {
-    throw InputError(
-        "/input",
-        Text::tr("has values whose result exceeds the range of numbers; enter realistic values"));
+    if (sum != 0.0) {
+        throw InputError("/input", Text::tr("has values whose result exceeds the range of numbers; "
+                                            "enter realistic values"));
+    }
 }
 
 /// Where the paper's series and the exact kinematics part.
@@ -132,9 +131,7 @@ void find_side_forces(const Input& input, const Design& design, Result& result) 
     for (const double phi : angles) {
         forces.push_back(by_newton_euler(phi));
     }
-    if (!all_finite(forces)) {
-        reject_extreme();
-    }
+    check_finite(forces);
     result.largest_side_force_true = largest(forces, angles, by_newton_euler);
 }
 
@@ -157,7 +154,7 @@ void add_notes(const Input& input, Result& result) {
     }
     if (input.rod_counterweight &&
         input.rod_counterweight->inertia == CounterweightInertia::as_printed &&
-        result.counterweight_mass > 0.0 && result.largest_side_force_true) {
+        result.design->mechanism().counterweight_mass > 0.0 && result.largest_side_force_true) {
         result.notes.emplace_back(
             Text::tr("Equation (9) as printed has the wrong sign of the counterweight's inertia: "
                      "residual side force up to %1, with Newton–Euler zero."),
@@ -182,26 +179,12 @@ void add_notes(const Input& input, Result& result) {
     }
 }
 
-void check_finite(const MechanismCurves& curves) {
-    for (const auto* list : {&curves.reduced_inertia, &curves.crank_moment,
-                             &curves.rod_hinge_moment, &curves.side_force_without_hinge,
-                             &curves.side_force_with_hinge, &curves.crank_moment_with_rod_hinge}) {
-        if (!all_finite(*list)) {
-            reject_extreme();
-        }
-    }
-}
-
-void check_finite(const Guide& guide) {
-    for (const double value :
-         {guide.preload, guide.minimum_preload, guide.relief, guide.largest_spring_force,
-          guide.largest_moment, guide.error.torque, guide.error.energy, guide.error.relative,
-          guide.compressed.max_radius, guide.stretched.max_radius,
-          guide.compressed.profile_max_radius, guide.stretched.profile_max_radius}) {
-        if (!std::isfinite(value)) {
-            reject_extreme();
-        }
-    }
+void check_guide(const Guide& guide) {
+    check_finite(std::array{guide.preload, guide.minimum_preload, guide.relief,
+                            guide.largest_spring_force, guide.largest_moment, guide.error.torque,
+                            guide.error.energy, guide.error.relative, guide.compressed.max_radius,
+                            guide.stretched.max_radius, guide.compressed.profile_max_radius,
+                            guide.stretched.profile_max_radius});
 }
 
 }  // namespace
@@ -211,7 +194,6 @@ MechanismCurves curves_at(const Design& design, double omega) {
     const double square = omega * omega;
     const double mean = design.rod_hinge_mean();
     const double lever = mechanism.lambda / mechanism.crank_radius;
-    const double weight = potential_amplitude(mechanism);
     MechanismCurves curves;
     for (std::size_t i = 0; i < design.states().size(); ++i) {
         const AngleState& state = design.states()[i];
@@ -223,8 +205,10 @@ MechanismCurves curves_at(const Design& design, double omega) {
             -(state.moment.weight + square * state.moment.true_inertia) * arm);
         curves.side_force_with_hinge.push_back(-mean * arm);
         if (design.has_exact_kinematics()) {
+            const AngleGrid& grid = design.grid();
             const double crank =
-                0.5 * square * state.inertia.slope + weight * design.grid().cos_phi[i];
+                energy_rise(mechanism, omega, grid.sin_phi[i], grid.cos_phi[i], state.inertia)
+                    .slope;
             curves.reduced_inertia.push_back(state.inertia.value);
             curves.crank_moment.push_back(crank);
             curves.crank_moment_with_rod_hinge.push_back(crank + (moment - mean) *
@@ -242,28 +226,29 @@ Result solve(const Input& input, const SolveOptions& options) {
     const Design& design = *result.design;
     const Mechanism<double>& mechanism = design.mechanism();
     result.crank_angle_deg = design.grid().angle_deg;
-    result.rod_hinge_integral = design.rod_hinge_integral();
-    result.has_counterweight = input.rod_counterweight.has_value();
-    result.counterweight_mass = mechanism.counterweight_mass;
-    result.balancing_mass = result.has_counterweight ? mechanism.balancing_mass() : 0.0;
-    if (!std::isfinite(design.rod_hinge_mean()) || !std::isfinite(result.balancing_mass)) {
-        reject_extreme();
-    }
+    check_finite(std::array{design.rod_hinge_mean(),
+                            mechanism.has_counterweight() ? mechanism.balancing_mass() : 0.0});
     if (options.with_curves) {
         result.curves = curves_at(design, input.angular_speed);
-        check_finite(result.curves);
+        for (const auto list :
+             {&MechanismCurves::reduced_inertia, &MechanismCurves::crank_moment,
+              &MechanismCurves::rod_hinge_moment, &MechanismCurves::side_force_without_hinge,
+              &MechanismCurves::side_force_with_hinge,
+              &MechanismCurves::crank_moment_with_rod_hinge}) {
+            check_finite(result.curves.*list);
+        }
         compare_kinematics(input, design, result);
         find_side_forces(input, design, result);
     }
     result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, by_angle);
-    check_finite(result.crank_guide);
+    check_guide(result.crank_guide);
     if (options.with_rod_guides) {
         const auto& rod_spring = input.rod_hinge_spring ? input.rod_hinge_spring : input.spring;
         result.crank_guide_with_rod =
             make_guide(result.design, Hinge::crank_with_rod, input.spring, input, true);
         result.rod_guide = make_guide(result.design, Hinge::rod, rod_spring, input, true);
-        check_finite(result.crank_guide_with_rod);
-        check_finite(result.rod_guide);
+        check_guide(result.crank_guide_with_rod);
+        check_guide(result.rod_guide);
     }
     if (input.guide_search) {
         result.proposal = search_guide(result.design, input, result.crank_guide.branch);

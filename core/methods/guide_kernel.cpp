@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
-#include "elastic-hinge/energy.h"
 #include "elastic-hinge/guide.h"
+#include "elastic-hinge/kinematics.h"
 #include "elastic-hinge/presets.h"
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/result.h"
 #include "methods/definition.h"
 #include "methods/reference_mechanism.h"
 #include "numerics/constants.h"

@@ -10,7 +10,7 @@
 #include "case-file/input_error.h"
 #include "elastic-hinge/motion.h"
 #include "elastic-hinge/presets.h"
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/result.h"
 #include "methods/definition.h"
 #include "methods/reference_mechanism.h"
 #include "numerics/constants.h"

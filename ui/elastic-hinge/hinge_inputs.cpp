@@ -133,7 +133,7 @@ void HingeInputs::addCounterweight() {
         NumberField* mass =
             number(weights ? "/rod_counterweight/weight_N" : "/rod_counterweight/mass_kg");
         showAssumed(this, mass, [this, weights] {
-            return std::optional(model_->result().counterweight_mass *
+            return std::optional(model_->result().design->mechanism().counterweight_mass *
                                  (weights ? model_->input().gravity : 1.0));
         });
         mass->setDigits(massDigits);

@@ -241,7 +241,7 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
     const auto rod = [&](const QPointF& from, const QPointF& to, double width) {
         drawing::drawRod(painter, from, to, width, metal, line);
     };
-    if (result.has_counterweight) {
+    if (mechanism.has_counterweight()) {
         const QPointF at = map.at(pose.counterweight);
         rod(pin, at, 0.4 * thick);
         // A disc whose area goes with the weight, against that of the crank's circle.

@@ -4,7 +4,7 @@
 
 #include "case-file/decimal.h"
 #include "elastic-hinge/presets.h"
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/result.h"
 #include "methods/validation/rows.h"
 #include "numerics/constants.h"
 
@@ -156,7 +156,7 @@ void guide(PaperRows& rows) {
 void counterweight(PaperRows& rows) {
     const auto weight = [](double distance) {
         const Result result = elastic_hinge::solve(with_counterweight(100.0, distance));
-        return result.balancing_mass * elastic_hinge::preset_zotov().gravity;
+        return result.design->mechanism().balancing_mass() * elastic_hinge::preset_zotov().gravity;
     };
     const Text reason = Text::tr("P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.");
     rows.at(in_text(after_equation(10)));

@@ -19,7 +19,7 @@
 #include "case-file/text_file.h"
 #include "elastic-hinge/motion.h"
 #include "elastic-hinge/presets.h"
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/result.h"
 #include "inertia-moments/orders.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/result.h"

@@ -1,4 +1,4 @@
-#include "elastic-hinge/energy.h"
+#include "elastic-hinge/kinematics.h"
 
 #include "support.h"
 

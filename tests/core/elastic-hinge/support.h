@@ -4,7 +4,7 @@
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/result.h"
 #include "error_of.h"
 
 namespace ravnoves::elastic_hinge::test {

@@ -346,8 +346,8 @@ Results ElasticHingeModel::quantities() const {
     }
     sideForce.isSmallerBetter = true;
     const Unit weight = input().masses_as_weights ? units::newton : units::kg;
-    const double counterweight =
-        result().counterweight_mass * (input().masses_as_weights ? input().gravity : 1.0);
+    const double counterweight = result().design->mechanism().counterweight_mass *
+                                 (input().masses_as_weights ? input().gravity : 1.0);
     const auto ripple = [&](const QString& name, const std::optional<Motion> HingeMotions::*which,
                             const QString& tip) {
         const Motion* motion = motions_ && (*motions_).*which ? &*((*motions_).*which) : nullptr;
@@ -388,7 +388,7 @@ Results ElasticHingeModel::quantities() const {
             when(there, roller ? shownCell(*roller, units::mm, 2) : ResultCell(tr("any"))),
             units::mm, tr("Maximum radius of a roller that touches the whole guide")),
         {{tr("∮ M₁₂ dφ"),
-          {result().rod_hinge_integral, number(result().rod_hinge_integral, 3)},
+          {result().design->rod_hinge_integral(), number(result().design->rod_hinge_integral(), 3)},
           tr("J")},
          tr("Work of the rod hinge's moment over a turn; 0 if a spring can supply it")},
         shownRow(tr("Side force, no hinge"), result().largest_side_force_without, units::newton, 1,
@@ -396,7 +396,7 @@ Results ElasticHingeModel::quantities() const {
         row(tr("Side force, rod hinge"), sideForce, units::newton,
             tr("Maximum force with the rod hinge; in brackets the reduction factor")),
         row(tr("Counterweight P₄"),
-            when(result().has_counterweight,
+            when(result().design->mechanism().has_counterweight(),
                  shownCell(counterweight, weight, input().masses_as_weights ? 3 : 4)),
             weight, tr("Weight on the rod for ∮ M₁₂ dφ = 0, or as entered")),
     };

@@ -251,20 +251,22 @@ Figure crankMoment(const ElasticHingeModel& model) {
                 .width = 1.8,
                 .toolTip = HingePlots::tr("Without the rod's hinge, d(T + V)/dφ")},
                result.crank_angle_deg, result.curves.crank_moment);
-    figure.add("with",
-               {.name = result.has_counterweight ? HingePlots::tr("with hinge (M₁*)")
-                                                 : HingePlots::tr("with hinge (M₁)"),
-                .role = Role::Sum,
-                .width = 1.8,
-                .toolTip = HingePlots::tr("With the rod's hinge, M + M₁₂ (1 + ψ′), (8); with a "
-                                          "counterweight M₁*, (11)")},
-               result.crank_angle_deg, result.curves.crank_moment_with_rod_hinge);
+    figure.add(
+        "with",
+        {.name = result.design->mechanism().has_counterweight() ? HingePlots::tr("with hinge (M₁*)")
+                                                                : HingePlots::tr("with hinge (M₁)"),
+         .role = Role::Sum,
+         .width = 1.8,
+         .toolTip = HingePlots::tr("With the rod's hinge, M + M₁₂ (1 + ψ′), (8); with a "
+                                   "counterweight M₁*, (11)")},
+        result.crank_angle_deg, result.curves.crank_moment_with_rod_hinge);
     return figure;
 }
 
 Figure crankMomentSpeeds(const ElasticHingeModel& model) {
-    Figure figure = overTurn(model.result().has_counterweight ? HingePlots::tr("M₁* at several ω")
-                                                              : HingePlots::tr("M₁ at several ω"),
+    Figure figure = overTurn(model.result().design->mechanism().has_counterweight()
+                                 ? HingePlots::tr("M₁* at several ω")
+                                 : HingePlots::tr("M₁ at several ω"),
                              HingePlots::tr("N·m"));
     addSpeeds(figure, model, &MechanismCurves::crank_moment_with_rod_hinge);
     return figure;
