@@ -178,23 +178,24 @@ class StudyCommand final : public Command {
     }
 
     int merge() {
-        studies::PartMerger merger;
-        std::string path;
-        try {
-            for (const std::string& each : parts_) {
-                path = each;
-                if (is_same_file(each, output_path_)) {
-                    return complain(output_path_,
-                                    "is one of the parts; write the study to another file");
-                }
-                merger.add(studies::read_part(parse_json(read_text_file(each))), each);
+        for (const std::string& each : parts_) {
+            if (is_same_file(each, output_path_)) {
+                return complain(output_path_,
+                                "is one of the parts; write the study to another file");
             }
-            path.clear();
-            return deliver(merger.finish());
+        }
+        std::string path;  // of the part that is read
+        try {
+            return deliver(studies::merge_parts(parts_, [&](const std::string& each) {
+                path = each;
+                Part part = studies::read_part(parse_json(read_text_file(each)));
+                path.clear();
+                return part;
+            }));
         } catch (const InputError& error) {
-            // The merger names the part itself.
-            const bool named = error.where() == path;
-            return complain(path.empty() ? "--merge" : named ? "" : path, error.what());
+            // A part that does not fit is named, missing ones are not.
+            const bool named = path.empty() ? !error.where().empty() : error.where() == path;
+            return complain(named ? "" : path.empty() ? "--merge" : path, error.what());
         }
     }
 

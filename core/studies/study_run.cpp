@@ -6,7 +6,6 @@
 
 #include "case-file/input_error.h"
 #include "studies/sampler.h"
-#include "studies/workers.h"
 
 namespace ravnoves::studies {
 
@@ -30,22 +29,16 @@ std::uint64_t first_samples_of(const Study& study) {
 /// Stands for the scene once it is expanded.
 class ExpansionResponse final : public Response {
   public:
-    explicit ExpansionResponse(const Basis& basis) : basis_(basis) {
-        for (const Taylor& expansion : basis.expansions) {
-            known_.push_back(expansion.propagated(basis.laws).has_value());
-        }
-    }
-
+    explicit ExpansionResponse(const Basis& basis) : basis_(basis) {}
     bool evaluate(std::span<const double> x, std::span<double> y) override {
         for (std::size_t w = 0; w < y.size(); ++w) {
-            y[w] = known_[w] ? basis_.expansions[w].at(basis_.laws, x) : 0.0;
+            y[w] = basis_.expansions[w].at(basis_.laws, x);
         }
         return true;
     }
 
   private:
     const Basis& basis_;
-    std::vector<bool> known_;  ///< 0 represents the others, which are not shown
 };
 
 /// One thread's samples.
@@ -305,74 +298,74 @@ std::optional<Part> run_study(const Problem& problem, std::uint64_t shard, std::
     return progress.is_stopped() ? std::nullopt : std::optional(std::move(part));
 }
 
-void PartMerger::add(Part part, const std::string& name) {
+Part merge_parts(const std::vector<std::string>& names,
+                 const std::function<Part(const std::string&)>& read) {
+    std::optional<Part> whole;
+    std::vector<std::string> known;  // names by shard; empty of one that is missing
     const auto label = [&](std::uint64_t shard) {
-        return std::to_string(shard) + "/" + std::to_string(part.shards);
+        return std::to_string(shard) + "/" + std::to_string(known.size());
     };
-    if (whole_ &&
-        (part.origin.case_sha256 != whole_->origin.case_sha256 ||
-         part.origin.files_sha256 != whole_->origin.files_sha256 || part.study != whole_->study)) {
-        throw InputError(name, {Text::tr("is a part of another case than %1"), first_name_});
+    for (const std::string& name : names) {
+        Part part = read(name);
+        const std::string& first = names.front();
+        if (whole && (part.origin.case_sha256 != whole->origin.case_sha256 ||
+                      part.origin.files_sha256 != whole->origin.files_sha256 ||
+                      part.study != whole->study)) {
+            throw InputError(name, {Text::tr("is a part of another case than %1"), first});
+        }
+        if (whole && part.shards != whole->shards) {
+            throw InputError(name,
+                             {Text::tr("is one of %1 parts, but %2 is one of %3"),
+                              std::to_string(part.shards), first, std::to_string(whole->shards)});
+        }
+        if (whole && (part.origin.program != whole->origin.program ||
+                      !same_basis(part.basis, whole->basis))) {
+            throw InputError(name, {Text::tr("was computed by another program or machine than %1: "
+                                             "the first numbers differ"),
+                                    first});
+        }
+        known.resize(part.shards);
+        std::string& same = known[part.shard - 1];
+        if (!same.empty()) {
+            throw InputError(name,
+                             {Text::tr("is the same part as %1: %2"), same, label(part.shard)});
+        }
+        same = name;
+        if (!whole) {
+            whole = part;
+            Part all = empty_part(part.study, 1, 1);
+            whole->blocks = std::move(all.blocks);
+            whole->rows = std::move(all.rows);
+        } else {
+            whole->tally.add(part.tally);
+        }
+        if (part.blocks.empty()) {
+            continue;
+        }
+        const std::uint64_t from = part.blocks.front().from;
+        std::move(part.blocks.begin(), part.blocks.end(),
+                  std::ranges::find(whole->blocks, from, &Block::from));
+        if (!part.rows.empty()) {  // of a grid
+            std::move(part.rows.begin(), part.rows.end(),
+                      whole->rows.begin() + static_cast<std::ptrdiff_t>(from));
+        }
     }
-    if (whole_ && part.shards != whole_->shards) {
-        throw InputError(
-            name, {Text::tr("is one of %1 parts, but %2 is one of %3"), std::to_string(part.shards),
-                   first_name_, std::to_string(whole_->shards)});
-    }
-    if (whole_ &&
-        (part.origin.program != whole_->origin.program || !same_basis(part.basis, whole_->basis))) {
-        throw InputError(
-            name,
-            {Text::tr(
-                 "was computed by another program or machine than %1: the first numbers differ"),
-             first_name_});
-    }
-    names_.resize(part.shards);
-    std::string& known = names_[part.shard - 1];
-    if (!known.empty()) {
-        throw InputError(name, {Text::tr("is the same part as %1: %2"), known, label(part.shard)});
-    }
-    known = name;
-    if (!whole_) {
-        first_name_ = name;
-        whole_ = part;
-        Part all = empty_part(part.study, 1, 1);
-        whole_->blocks = std::move(all.blocks);
-        whole_->rows = std::move(all.rows);
-    } else {
-        whole_->tally.add(part.tally);
-    }
-    if (part.blocks.empty()) {
-        return;
-    }
-    const std::uint64_t from = part.blocks.front().from;
-    const auto place = std::find_if(whole_->blocks.begin(), whole_->blocks.end(),
-                                    [&](const Block& block) { return block.from == from; });
-    std::move(part.blocks.begin(), part.blocks.end(), place);
-    if (!part.rows.empty()) {  // of a grid
-        std::move(part.rows.begin(), part.rows.end(),
-                  whole_->rows.begin() + static_cast<std::ptrdiff_t>(from));
-    }
-}
-
-Part PartMerger::finish() {
     std::string missing;
     std::uint64_t count = 0;
     constexpr std::uint64_t max_named = 20;
-    for (std::size_t k = 0; k < names_.size(); ++k) {
-        if (names_[k].empty() && ++count <= max_named) {
-            missing += (missing.empty() ? "" : ", ") + std::to_string(k + 1) + "/" +
-                       std::to_string(names_.size());
+    for (std::size_t k = 0; k < known.size(); ++k) {
+        if (known[k].empty() && ++count <= max_named) {
+            missing += (missing.empty() ? "" : ", ") + label(k + 1);
         }
     }
     if (count != 0) {
         missing += count > max_named ? ", …" : "";
         throw InputError("", {Text::tr("%1 of %2 parts are missing; run them again: "
                                        "--shard %3"),
-                              std::to_string(count), std::to_string(names_.size()), missing});
+                              std::to_string(count), std::to_string(known.size()), missing});
     }
-    whole_->shard = whole_->shards = 1;
-    return std::move(*whole_);
+    whole->shard = whole->shards = 1;
+    return std::move(*whole);
 }
 
 }  // namespace ravnoves::studies

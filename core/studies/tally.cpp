@@ -220,24 +220,18 @@ double Tally::order_statistic(const Value& value, const CountingPlan& plan,
         return place == 0 ? value.min : value.max;
     }
     auto rank = static_cast<std::int64_t>(place);
-    const auto spread = [&](double from, double to, std::int64_t count) {
-        const double at =
-            from + (to - from) * (static_cast<double>(rank) + 0.5) / static_cast<double>(count);
-        return std::clamp(at, value.min, value.max);
-    };
-    if (rank < value.bins[below]) {
-        return spread(value.min, plan.low, value.bins[below]);
+    double from = value.min;
+    double to = plan.low;
+    std::size_t bin = below;
+    for (std::size_t i = 0; bin != above && rank >= value.bins[bin]; ++i) {
+        rank -= value.bins[bin];
+        bin = i < bin_count ? i : above;
+        from = plan.low + plan.width * static_cast<double>(i);
+        to = i < bin_count ? from + plan.width : value.max;
     }
-    rank -= value.bins[below];
-    for (std::size_t i = 0; i < bin_count; ++i) {
-        const double from = plan.low + plan.width * static_cast<double>(i);
-        if (rank < value.bins[i]) {
-            return spread(from, from + plan.width, value.bins[i]);
-        }
-        rank -= value.bins[i];
-    }
-    return spread(plan.low + plan.width * static_cast<double>(bin_count), value.max,
-                  value.bins[above]);
+    const double at = from + (to - from) * (static_cast<double>(rank) + 0.5) /
+                                 static_cast<double>(value.bins[bin]);
+    return std::clamp(at, value.min, value.max);
 }
 
 Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks) const {
@@ -293,51 +287,38 @@ Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks)
 /// other inputs leave in a slice's mean adds nothing on average, however evenly the points lie.
 double Tally::between_slices(const Value& value, std::size_t input, double mean,
                              std::size_t left_out, std::size_t joined) const {
-    struct Products {
-        double count = 0.0;
-        double sum = 0.0;
-        double squared_counts = 0.0;
-        double squared_sums = 0.0;
-
-        void add(double samples, double total) {
-            count += samples;
-            sum += total;
-            squared_counts += square(samples);
-            squared_sums += square(total);
-        }
-        double mean_square() const {
-            const double pairs = square(count) - squared_counts;
-            return pairs > 0.0 ? (square(sum) - squared_sums) / pairs : 0.0;
-        }
+    using Each = std::array<double, replicates>;
+    const auto sum_of = [](const Each& values) {
+        return std::accumulate(values.begin(), values.end(), 0.0);
+    };
+    // Of two replicates that differ: all products less those with itself.
+    const auto products = [&](const Each& values) {
+        return square(sum_of(values)) -
+               std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+    };
+    const auto mean_product = [&](const Each& counts, const Each& sums) {
+        const double pairs = products(counts);
+        return pairs > 0.0 ? products(sums) / pairs : 0.0;
     };
     double between = 0.0;
-    std::array<double, replicates> counts{};
-    std::array<double, replicates> sums{};
+    Each all_counts{};
+    Each all_sums{};
     for (std::size_t k = 0; k < slice_count; k += joined) {
-        Products slice;
+        Each counts{};
+        Each sums{};
         for (std::size_t i = 0; i < replicates; ++i) {
-            if (i == left_out) {
-                continue;
-            }
             const std::size_t first = (input * replicates + i) * slice_count + k;
-            double count = 0.0;
-            double sum = 0.0;
-            for (std::size_t at = first; at < first + joined; ++at) {
-                count += static_cast<double>(slice_counts_[at]);
-                sum += static_cast<double>(value.slices[at]);
+            for (std::size_t at = first; i != left_out && at < first + joined; ++at) {
+                counts[i] += static_cast<double>(slice_counts_[at]);
+                sums[i] += static_cast<double>(value.slices[at]);
             }
-            sum -= count * mean;
-            slice.add(count, sum);
-            counts[i] += count;
-            sums[i] += sum;
+            sums[i] -= counts[i] * mean;
+            all_counts[i] += counts[i];
+            all_sums[i] += sums[i];
         }
-        between += slice.count * slice.mean_square();
+        between += sum_of(counts) * mean_product(counts, sums);
     }
-    Products all;
-    for (std::size_t i = 0; i < replicates; ++i) {
-        all.add(counts[i], sums[i]);
-    }
-    return between / all.count - all.mean_square();
+    return between / sum_of(all_counts) - mean_product(all_counts, all_sums);
 }
 
 void Tally::set_sensitivities(std::size_t watched, const Replicates& whole,

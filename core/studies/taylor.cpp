@@ -122,7 +122,7 @@ std::optional<Taylor::Propagated> Taylor::propagated(std::span<const Law> laws) 
 }
 
 double Taylor::at(std::span<const Law> laws, std::span<const double> x) const {
-    double sum = *value;
+    double sum = value.value_or(0.0);
     for (std::size_t j = 0; j < laws.size(); ++j) {
         sum += slopes[j] ? slopes[j]->value * (x[j] - laws[j].mean) : 0.0;
     }

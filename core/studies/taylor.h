@@ -30,7 +30,7 @@ struct Taylor {
     };
     /// @return nothing where a slope is missing
     std::optional<Propagated> propagated(std::span<const Law> laws) const;
-    /// The expansion at the inputs.
+    /// The expansion at the inputs; 0 of what does not exist.
     double at(std::span<const Law> laws, std::span<const double> x) const;
 };
 

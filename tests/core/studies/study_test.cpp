@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include "case-file/case_file.h"
@@ -420,12 +421,15 @@ TEST(Study, ShardsPrintWhatTheWholePrints) {
         const std::string expected = results.dump();
         EXPECT_EQ(write_results(whole(all, 1)).dump(), expected) << method;
         for (const std::uint64_t shards : {1U, 3U, 64U}) {
-            PartMerger merger;
+            std::vector<std::string> names;
             for (std::uint64_t k = shards; k >= 1; --k) {
-                const Part part = *run_study(all, k, shards, 1);
-                merger.add(read_part(Json::parse(write_part(part).dump())), std::to_string(k));
+                names.push_back(std::to_string(k));
             }
-            EXPECT_EQ(write_results(merger.finish()).dump(), expected) << method << shards;
+            const Part merged = merge_parts(names, [&](const std::string& name) {
+                const Part part = *run_study(all, std::stoull(name), shards, 1);
+                return read_part(Json::parse(write_part(part).dump()));
+            });
+            EXPECT_EQ(write_results(merged).dump(), expected) << method << shards;
         }
     }
 }
@@ -493,16 +497,19 @@ TEST(Study, PartsThatDoNotFitAreNamed) {
             problem(normal_study(1, "sobol", 600, seed), {0}, always([](auto x) { return x[0]; }));
         return *run_study(all, shard, shards, 1);
     };
-    PartMerger merger;
-    merger.add(made(2, 4, 1), "two");
-    EXPECT_EQ(error_of([&] { merger.add(made(2, 4, 1), "again"); }),
-              "again: is the same part as two: 2/4");
-    EXPECT_EQ(error_of([&] { merger.add(made(3, 4, 9), "other"); }),
-              "other: is a part of another case than two");
-    EXPECT_EQ(error_of([&] { merger.add(made(1, 3, 1), "third"); }),
-              "third: is one of 3 parts, but two is one of 4");
-    merger.add(made(4, 4, 1), "four");
-    EXPECT_EQ(error_of([&] { merger.finish(); }),
+    const std::map<std::string, Part> parts{{"two", made(2, 4, 1)},
+                                            {"again", made(2, 4, 1)},
+                                            {"other", made(3, 4, 9)},
+                                            {"third", made(1, 3, 1)},
+                                            {"four", made(4, 4, 1)}};
+    const auto merging = [&](const std::vector<std::string>& names) {
+        return error_of(
+            [&] { merge_parts(names, [&](const std::string& name) { return parts.at(name); }); });
+    };
+    EXPECT_EQ(merging({"two", "again"}), "again: is the same part as two: 2/4");
+    EXPECT_EQ(merging({"two", "other"}), "other: is a part of another case than two");
+    EXPECT_EQ(merging({"two", "third"}), "third: is one of 3 parts, but two is one of 4");
+    EXPECT_EQ(merging({"two", "four"}),
               "2 of 4 parts are missing; run them again: --shard 1/4, 3/4");
 }
 

@@ -17,7 +17,6 @@
 #include "studies/model/solved_once.h"
 #include "studies/model/study_model.h"
 #include "studies/study_run.h"
-#include "studies/workers.h"
 
 namespace ravnoves {
 
