@@ -52,23 +52,23 @@ std::uint64_t scrambled(std::uint64_t x, std::uint64_t key) {
 
 }  // namespace
 
-std::uint64_t CounterRandom::bits(std::uint64_t sample, std::uint32_t stream,
-                                  std::uint32_t place) const {
+std::uint64_t random_bits(std::uint64_t seed, std::uint64_t sample, std::uint32_t stream,
+                          std::uint32_t place) {
     const auto out =
         philox({static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(sample >> 32),
                 place / 2, stream},
-               static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32));
+               static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32));
     const std::size_t half = place % 2 == 0 ? 0 : 2;
     return (std::uint64_t{out[half]} << 32) | out[half + 1];
 }
 
-double CounterRandom::uniform(std::uint64_t sample, std::uint32_t stream,
-                              std::uint32_t place) const {
-    return to_unit(bits(sample, stream, place));
+double random_uniform(std::uint64_t seed, std::uint64_t sample, std::uint32_t stream,
+                      std::uint32_t place) {
+    return to_unit(random_bits(seed, sample, stream, place));
 }
 
-Sampler::Sampler(Method method, std::uint64_t seed, std::size_t inputs) : random_(seed) {
-    if (method != Method::sobol) {
+Sampler::Sampler(Method method, std::uint64_t seed, std::size_t inputs) : seed_(seed) {
+    if (method == Method::monte_carlo) {
         return;
     }
     sobol_.emplace(inputs);
@@ -81,7 +81,7 @@ Sampler::Sampler(Method method, std::uint64_t seed, std::size_t inputs) : random
 void Sampler::point(std::uint64_t sample, std::span<double> u) {
     if (!sobol_) {
         for (std::size_t j = 0; j < u.size(); ++j) {
-            u[j] = random_.uniform(sample, 0, static_cast<std::uint32_t>(j));
+            u[j] = random_uniform(seed_, sample, 0, static_cast<std::uint32_t>(j));
         }
         return;
     }

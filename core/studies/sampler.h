@@ -10,17 +10,11 @@
 
 namespace ravnoves::studies {
 
-/// Uniform numbers in (0, 1) that depend on seed, sample, stream and place alone: Philox4x32-10
-/// [salmon].
-class CounterRandom {
-  public:
-    explicit CounterRandom(std::uint64_t seed) : seed_(seed) {}
-    double uniform(std::uint64_t sample, std::uint32_t stream, std::uint32_t place) const;
-    std::uint64_t bits(std::uint64_t sample, std::uint32_t stream, std::uint32_t place) const;
-
-  private:
-    std::uint64_t seed_;
-};
+/// Numbers that depend on seed, sample, stream and place alone: Philox4x32-10 [salmon].
+std::uint64_t random_bits(std::uint64_t seed, std::uint64_t sample, std::uint32_t stream,
+                          std::uint32_t place);
+double random_uniform(std::uint64_t seed, std::uint64_t sample, std::uint32_t stream,
+                      std::uint32_t place);  ///< in (0, 1)
 
 /// Sample i belongs to replicate i mod 8, whose samples are independent of the others', also Sobol
 /// points. So the differences of replicates are the error of their mean.
@@ -29,9 +23,9 @@ inline constexpr std::size_t replicates = 8;
 /// The points of a sampled study in the unit cube, any of them at once: sample i depends on the
 /// seed and on i alone.
 ///
-/// Monte Carlo: CounterRandom. Sobol: Boost.Random's points, scrambled for each replicate by keys
-/// of its own by a hash that approximates Owen's [burley]: without bias, for smooth functions with
-/// an error near N^−1.5.
+/// Monte Carlo: random_uniform(). Sobol: Boost.Random's points, scrambled for each replicate by
+/// keys of its own by a hash that approximates Owen's [burley]: without bias, for smooth functions
+/// with an error near N^−1.5.
 class Sampler {
   public:
     Sampler(Method method, std::uint64_t seed, std::size_t inputs);
@@ -40,7 +34,7 @@ class Sampler {
     void point(std::uint64_t sample, std::span<double> u);
 
   private:
-    CounterRandom random_;
+    std::uint64_t seed_;
     std::optional<boost::random::sobol> sobol_;
     std::vector<std::uint64_t> keys_;   ///< by replicate, then input
     std::vector<std::uint64_t> point_;  ///< of all replicates, before it is scrambled

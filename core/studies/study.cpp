@@ -1,5 +1,6 @@
 #include "studies/study.h"
 
+#include <algorithm>
 #include <array>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
@@ -191,10 +192,7 @@ std::uint64_t Study::points() const {
     }
     std::uint64_t product = 1;
     for (const Varied& varied : vary) {
-        product *= varied.values.size();
-        if (product > max_grid_points) {
-            return product;
-        }
+        product = std::min(product, max_grid_points + 1) * varied.values.size();
     }
     return product;
 }

@@ -51,8 +51,7 @@ class Worker {
           response_(study_.method == Method::linear
                         ? std::make_unique<ExpansionResponse>(part.basis)
                         : problem.make()),
-          sampler_(sampled_ ? study_.method : Method::sobol, study_.seed, study_.vary.size()),
-          random_(study_.seed),
+          sampler_(study_.method, study_.seed, study_.vary.size()),
           inputs_(study_.vary.size()),
           u_(inputs_),
           x_(inputs_),
@@ -74,8 +73,9 @@ class Worker {
         }
         tally.add(block, sample, u_, y_);
         if (sampled_ && sample < pairs_per_input * inputs_) {
-            const auto input = static_cast<std::size_t>(random_.bits(sample, 1, 0) % inputs_);
-            u_[input] = random_.uniform(sample, 1, 1);
+            const auto input =
+                static_cast<std::size_t>(random_bits(study_.seed, sample, 1, 0) % inputs_);
+            u_[input] = random_uniform(study_.seed, sample, 1, 1);
             set_inputs();
             if (response_->evaluate(x_, other_)) {
                 tally.add_pair(sample, input, y_, other_);
@@ -111,7 +111,6 @@ class Worker {
     bool sampled_;
     std::unique_ptr<Response> response_;
     Sampler sampler_;
-    CounterRandom random_;
     std::size_t inputs_;
     std::vector<double> u_, x_, y_, other_;
 };

@@ -288,12 +288,12 @@ Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks)
 double Tally::between_slices(const Value& value, std::size_t input, double mean,
                              std::size_t left_out, std::size_t joined) const {
     using Each = std::array<double, replicates>;
-    const auto sum_of = [](const Each& values) {
+    const auto added_up = [](const Each& values) {
         return std::accumulate(values.begin(), values.end(), 0.0);
     };
     // Of two replicates that differ: all products less those with itself.
     const auto products = [&](const Each& values) {
-        return square(sum_of(values)) -
+        return square(added_up(values)) -
                std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
     };
     const auto mean_product = [&](const Each& counts, const Each& sums) {
@@ -316,9 +316,9 @@ double Tally::between_slices(const Value& value, std::size_t input, double mean,
             all_counts[i] += counts[i];
             all_sums[i] += sums[i];
         }
-        between += sum_of(counts) * mean_product(counts, sums);
+        between += added_up(counts) * mean_product(counts, sums);
     }
-    return between / sum_of(all_counts) - mean_product(all_counts, all_sums);
+    return between / added_up(all_counts) - mean_product(all_counts, all_sums);
 }
 
 void Tally::set_sensitivities(std::size_t watched, const Replicates& whole,

@@ -16,8 +16,7 @@ double percentileOf(const std::vector<double>& ascending, double share) {
 
 std::vector<std::vector<double>> samplesOf(const std::vector<studies::Law>& laws,
                                            studies::Method method, std::uint64_t seed) {
-    const bool isRandom = method == studies::Method::monte_carlo;
-    studies::Sampler sampler(isRandom ? method : studies::Method::sobol, seed, laws.size());
+    studies::Sampler sampler(method, seed, laws.size());
     std::vector<std::vector<double>> samples(scatteredSamples, std::vector<double>(laws.size()));
     for (std::uint64_t i = 0; i < samples.size(); ++i) {
         sampler.point(studies::replicates * i, samples[i]);  // of one replicate
