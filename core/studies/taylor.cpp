@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace ravnoves::studies {
@@ -39,13 +38,13 @@ Taylor::Slope extrapolate(const std::array<double, levels>& differences, int pow
     return best;
 }
 
-/// The watched values with one input moved from the means; nothing where they are rejected.
-using MovedBy = std::function<std::optional<std::vector<double>>(double step)>;
-
-/// @return nothing where a slope does not exist
-std::vector<std::optional<Taylor::Slope>> slopes(const MovedBy& moved, const Law& law,
-                                                 const Response& response, std::size_t watched) {
-    std::vector<std::optional<Taylor::Slope>> found(watched);
+/// Sets the slopes by one input where they exist.
+/// @param moved  the watched values with that input moved from the means by a step; nothing where
+///               they are rejected
+template <typename Moved>
+void set_slopes(const Moved& moved, const Law& law, const Response& response, std::size_t input,
+                std::vector<Taylor>& all) {
+    const std::size_t watched = all.size();
     // The sides that exist within the scatter; nearer where they do not reach so far.
     double step = law.deviation;
     bool up = false;
@@ -66,7 +65,7 @@ std::vector<std::optional<Taylor::Slope>> slopes(const MovedBy& moved, const Law
         const auto above = moved(high);
         const auto below = moved(-low);
         if (!above || !below || !(high + low > 0.0)) {
-            return found;
+            return;
         }
         for (std::size_t w = 0; w < watched; ++w) {
             differences[w][level] =
@@ -76,9 +75,8 @@ std::vector<std::optional<Taylor::Slope>> slopes(const MovedBy& moved, const Law
     }
     for (std::size_t w = 0; w < watched; ++w) {
         const double rounding = 2.0 * epsilon * size[w] / (up && down ? 2.0 * step : step);
-        found[w] = extrapolate(differences[w], up && down ? 2 : 1, rounding);
+        all[w].slopes[input] = extrapolate(differences[w], up && down ? 2 : 1, rounding);
     }
-    return found;
 }
 
 }  // namespace
@@ -147,7 +145,7 @@ std::vector<Taylor> expand(Response& response, std::span<const Law> laws, std::s
         if (!scatters(laws[j])) {
             continue;
         }
-        const MovedBy moved = [&](double step) {
+        const auto moved = [&](double step) {
             if (step == 0.0) {
                 return middle;
             }
@@ -156,10 +154,7 @@ std::vector<Taylor> expand(Response& response, std::span<const Law> laws, std::s
             x[j] = laws[j].mean;
             return found;
         };
-        const auto found = slopes(moved, laws[j], response, watched);
-        for (std::size_t w = 0; w < all.size(); ++w) {
-            all[w].slopes[j] = found[w];
-        }
+        set_slopes(moved, laws[j], response, j, all);
     }
     for (std::size_t w = 0; w < all.size() && middle; ++w) {
         all[w].value = (*middle)[w];
