@@ -259,40 +259,32 @@ Json write_case(const CaseFile& file) {
 }
 
 void set_input_value(Json& input, const std::string& pointer, Json value) {
-    // The library fills a list up to the place that is asked for, whatever memory it takes.
-    Json* parent = &input;
-    for (std::size_t at = pointer.find('/'); at != std::string::npos && parent != nullptr;) {
-        const std::size_t end = pointer.find('/', at + 1);
-        const std::string key = pointer.substr(at + 1, end - at - 1);
-        if (parent->is_array()) {
-            std::size_t index = 0;
+    Json* place = &input;
+    for (const std::string& key : keys_of(pointer)) {
+        if (place->is_null()) {
+            *place = Json::object();
+        }
+        if (place->is_array()) {
+            // The library fills a list up to the place that is asked for, whatever memory it takes.
+            std::size_t index = place->size();
             const char* const last = key.data() + key.size();
             const auto [stopped, fault] = std::from_chars(key.data(), last, index);
-            if (key != "-" && (fault != std::errc{} || stopped != last || index > parent->size())) {
+            if (key != "-" && (fault != std::errc{} || stopped != last || index > place->size())) {
                 throw InputError(
                     "/input" + printable(pointer),
-                    {Text::tr("is not in the list, which has %1 elements"), parent->size()});
+                    {Text::tr("is not in the list, which has %1 elements"), place->size()});
             }
-            if (key == "-" || index == parent->size()) {
-                parent->push_back(nullptr);
-                index = parent->size() - 1;
+            if (index == place->size()) {
+                place->push_back(nullptr);
             }
-            parent = &parent->at(index);
-        } else if (parent->is_object()) {
-            const Json::json_pointer segment("/" + key);  // with ~0 and ~1
-            parent = &(*parent)[segment.back()];
+            place = &place->at(index);
+        } else if (place->is_object()) {
+            place = &(*place)[key];
         } else {
-            parent = nullptr;
+            throw InputError::unknown_key("/input" + printable(pointer));
         }
-        if (end != std::string::npos && parent != nullptr && parent->is_null()) {
-            *parent = Json::object();
-        }
-        at = end;
     }
-    if (parent == nullptr) {
-        throw InputError::unknown_key("/input" + printable(pointer));
-    }
-    *parent = std::move(value);
+    *place = std::move(value);
 }
 
 }  // namespace ravnoves

@@ -41,6 +41,15 @@ constexpr KeyUnit unit_of_key(std::string_view key) {
 }
 
 /// The unit of the number at a pointer: an element of a list has the unit of the list's key.
-Unit unit_at(std::string_view pointer);
+inline Unit unit_at(std::string_view pointer) {
+    constexpr std::string_view digits = "0123456789";
+    std::string_view key = pointer.substr(pointer.rfind('/') + 1);
+    while (!key.empty() && key.size() < pointer.size() &&
+           key.find_first_not_of(digits) == std::string_view::npos) {
+        pointer.remove_suffix(key.size() + 1);
+        key = pointer.substr(pointer.rfind('/') + 1);
+    }
+    return unit_of_key(key).unit;
+}
 
 }  // namespace ravnoves

@@ -8,7 +8,6 @@ namespace ravnoves {
 namespace {
 
 struct EnglishWriter {
-    std::string operator()(const std::string& word) const { return word; }
     std::string operator()(const Message& message) const { return message.english(); }
     std::string operator()(const Number& number) const {
         std::string text = number.trimmed
@@ -53,32 +52,11 @@ Message& Message::operator=(const Message& other) = default;
 Message& Message::operator=(Message&& other) noexcept = default;
 Message::~Message() = default;
 
-void Message::reserve(std::size_t arguments) {
-    arguments_.reserve(arguments);
-}
-void Message::add(double value) {
-    arguments_.emplace_back(Number{value});
-}
 void Message::add(Number value) {
     arguments_.emplace_back(value);
 }
-void Message::add(Text value) {
-    arguments_.emplace_back(Message(value));
-}
-void Message::add(const char* value) {
-    add(std::string(value));
-}
-void Message::add(std::string_view value) {
-    add(std::string(value));
-}
-void Message::add(std::string value) {
-    arguments_.emplace_back(std::move(value));
-}
 void Message::add(Message value) {
     arguments_.emplace_back(std::move(value));
-}
-void Message::add(Argument value) {
-    arguments_.push_back(std::move(value));
 }
 
 Message joined(Message a, Message b) {

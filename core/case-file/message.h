@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cmath>
-#include <concepts>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -35,9 +35,9 @@ inline Number bound(double limit, double found, const Unit& unit) {
 
 class Message;
 
-/// A value in a message: a number (written in the reader's way), a word that no language changes
-/// (a key, a file's name), or another message.
-using Argument = std::variant<std::string, Number, Message>;
+/// A value in a message: a number (written in the reader's way), or another message, such as a word
+/// that no language changes (a key, a file's name).
+using Argument = std::variant<Number, Message>;
 
 /// What the program says to the user, as data: a pattern and its values. The command line prints
 /// english(); the window translates the pattern and writes the numbers in the user's way.
@@ -54,7 +54,6 @@ class Message {
     Message(Number number);
     template <typename... Values>
     Message(Text pattern, Values&&... values) : Message(pattern) {
-        reserve(sizeof...(values));
         (add(std::forward<Values>(values)), ...);
     }
     Message(const Message& other);
@@ -76,19 +75,13 @@ class Message {
     }
 
   private:
-    void reserve(std::size_t arguments);
-    template <std::integral Whole>
-    void add(Whole value) {
+    template <typename Value>
+    requires std::is_arithmetic_v<Value>
+    void add(Value value) {
         add(Number{static_cast<double>(value)});
     }
-    void add(double value);
     void add(Number value);
-    void add(Text value);
-    void add(const char* value);
-    void add(std::string_view value);
-    void add(std::string value);
     void add(Message value);
-    void add(Argument value);
 
     Text pattern_;
     std::string verbatim_;

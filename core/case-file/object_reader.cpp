@@ -58,10 +58,19 @@ std::string escape_segment(std::string_view key) {
 
 bool is_inner_pointer(const std::string& text) {
     try {
-        return !Json::json_pointer(text).empty();
+        return !keys_of(text).empty();
     } catch (const Json::exception&) {
         return false;
     }
+}
+
+std::vector<std::string> keys_of(const std::string& pointer) {
+    std::vector<std::string> keys;
+    for (Json::json_pointer rest(pointer); !rest.empty(); rest.pop_back()) {
+        keys.push_back(rest.back());
+    }
+    std::reverse(keys.begin(), keys.end());
+    return keys;
 }
 
 std::string printable(std::string_view text, std::size_t longest) {
@@ -148,14 +157,6 @@ ObjectReader::ObjectReader(const Json& value, std::string pointer)
 }
 
 std::string ObjectReader::pointer_to(std::string_view key) const {
-    const bool plain = key.size() <= 80 && std::all_of(key.begin(), key.end(), [](char c) {
-                           return c >= ' ' && c < '~' && c != '/';
-                       });
-    if (plain) {
-        std::string pointer;
-        pointer.reserve(pointer_.size() + 1 + key.size());
-        return pointer.append(pointer_).append("/").append(key);
-    }
     return pointer_ + "/" + printable(escape_segment(key));
 }
 

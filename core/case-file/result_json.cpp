@@ -1,7 +1,12 @@
 #include "case-file/result_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/object_reader.h"
 
 namespace ravnoves {
 
@@ -48,67 +53,172 @@ Json json_of(const NumberRows& rows, const Unit& unit) {
     return list;
 }
 
+class ResultJson final : public ResultVisitor {
+  public:
+    explicit ResultJson(const Wanted& wanted) : wanted_(wanted) {}
+
+    bool wants(std::string_view key) const override { return wanted_.wants(place(key)); }
+    Json take() { return std::move(levels_.front().value); }
+
+  private:
+    void leaf(const ResultField& field, const ResultValue& value) override {
+        if (wants(field.key)) {
+            const auto json = [&](const auto& it) { return json_of(it, field.unit); };
+            levels_.back().value[std::string(field.key)] = std::visit(json, value);
+        }
+    }
+    bool begin_object(const ResultField& field) override {
+        return wants(field.key) && begin(field.key, object_with_room(16));
+    }
+    bool begin_list(const ResultField& field) override {
+        return wants(field.key) && begin(field.key, Json::array());
+    }
+    bool begin_element(std::size_t index) override {
+        // All of them: an element keeps its place in the list.
+        return begin(std::to_string(index), object_with_room(16));
+    }
+    void end() override {
+        Level whole = std::move(levels_.back());
+        levels_.pop_back();
+        Json& around = levels_.back().value;
+        if (around.is_array()) {
+            around.push_back(std::move(whole.value));
+        } else {
+            around[whole.key] = std::move(whole.value);
+        }
+    }
+
+    std::string place(std::string_view key) const {
+        return (levels_.back().pointer + '/').append(key);
+    }
+    bool begin(std::string_view key, Json empty) {
+        levels_.push_back({std::string(key), std::move(empty), place(key)});
+        return true;
+    }
+
+    /// The containers being filled: the result first, then an object or a list in it. Each is put
+    /// in place once it is whole, for growing objects move their contents.
+    struct Level {
+        std::string key{};
+        Json value = object_with_room(32);
+        std::string pointer{};
+    };
+    const Wanted& wanted_;
+    std::vector<Level> levels_{1};
+};
+
+class ResultIndex final : public ResultVisitor {
+  public:
+    std::vector<ResultEntry> take() { return std::move(entries_); }
+
+    bool wants(std::string_view /*key*/) const override { return true; }
+
+  private:
+    void leaf(const ResultField& field, const ResultValue& value) override {
+        const auto si = single_number(value);
+        if (si || std::holds_alternative<std::monostate>(value)) {
+            Level place = inside(field.key, field.label, field.unit);
+            entries_.push_back({std::move(place.pointer), std::move(place.name), place.unit,
+                                field.decimals, period_of(field), si});
+        }
+    }
+    bool begin_object(const ResultField& field) override {
+        levels_.push_back(inside(field.key, field.label, field.unit));
+        return true;
+    }
+    bool begin_list(const ResultField& field) override { return begin_object(field); }
+    bool begin_element(std::size_t index) override {
+        levels_.push_back(inside(std::to_string(index),
+                                 Number{.value = static_cast<double>(index + 1)}, units::none));
+        return true;
+    }
+    void end() override { levels_.pop_back(); }
+
+    struct Level {
+        std::string pointer;
+        Message name;
+        Unit unit = units::none;  ///< of what has none of its own
+    };
+    Level inside(std::string_view key, const Message& label, const Unit& unit) const {
+        const Level& around = levels_.back();
+        Message name = around.name.empty() ? label
+                       : label.empty()     ? around.name
+                                           : joined(around.name, label);
+        return {(around.pointer + '/').append(key), std::move(name),
+                unit == units::none ? around.unit : unit};
+    }
+
+    std::vector<Level> levels_{1};
+    std::vector<ResultEntry> entries_;
+};
+
+/// Whether a pointer leads to the value of another or into it.
+bool is_within(std::string_view pointer, std::string_view around) {
+    return pointer.starts_with(around) &&
+           (pointer.size() == around.size() || pointer[around.size()] == '/');
+}
+
+/// A pointer as a message shows it: one line of text, whatever its bytes are.
+std::string shown(const std::string& pointer) {
+    const std::string quoted = Json(pointer).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return printable(std::string_view(quoted).substr(1, quoted.size() - 2));
+}
+
 }  // namespace
 
-ResultJson::ResultJson(const Wanted& wanted) : wanted_(wanted) {
-    levels_.push_back({{}, object_with_room(32), {}});
+Json result_json(const Wanted& wanted, const VisitResults& visit) {
+    ResultJson json(wanted);
+    visit(json);
+    return json.take();
 }
 
-std::string ResultJson::place(std::string_view key) const {
-    return (levels_.back().pointer + '/').append(key);
+std::vector<ResultEntry> list_results(const VisitResults& visit) {
+    ResultIndex index;
+    visit(index);
+    return index.take();
 }
 
-bool ResultJson::wants(std::string_view key) const {
-    return wanted_.is_all() || wanted_.wants(place(key));
-}
-
-void ResultJson::leaf(const ResultField& field, const ResultValue& value) {
-    if (wants(field.key)) {
-        const auto json = [&](const auto& it) { return json_of(it, field.unit); };
-        levels_.back().value[std::string(field.key)] = std::visit(json, value);
+Wanted::Wanted(std::vector<std::string> pointers) : pointers_(std::move(pointers)) {
+    const auto wrong = std::ranges::find_if_not(pointers_, is_inner_pointer);
+    if (wrong != pointers_.end()) {
+        throw InputError("",
+                         Text::tr("must be a JSON pointer below the result, such as "
+                                  "/optimum/range"),
+                         show(Json(*wrong)));
     }
 }
 
-void ResultJson::begin(std::string key, Json empty) {
-    std::string pointer = place(key);
-    levels_.push_back({std::move(key), std::move(empty), std::move(pointer)});
+bool Wanted::wants(std::string_view pointer) const {
+    return pointers_.empty() ||
+           std::any_of(pointers_.begin(), pointers_.end(), [&](const std::string& each) {
+               return is_within(each, pointer) || is_within(pointer, each);
+           });
 }
 
-void ResultJson::end() {
-    Level whole = std::move(levels_.back());
-    levels_.pop_back();
-    Json& around = levels_.back().value;
-    if (around.is_array()) {
-        around.push_back(std::move(whole.value));
-    } else {
-        around[whole.key] = std::move(whole.value);
+Json Wanted::pick(Json result) const {
+    if (pointers_.empty()) {
+        return result;
     }
-}
-
-bool ResultJson::begin_object(const ResultField& field) {
-    if (!wants(field.key)) {
-        return false;
+    Json picked = Json::object();
+    for (const std::string& text : pointers_) {
+        const Json::json_pointer pointer(text);
+        if (!result.contains(pointer)) {
+            throw InputError("/result" + shown(text),
+                             Text::tr("must be a value that the result has"));
+        }
+        // What lies in another comes with it.
+        if (std::any_of(pointers_.begin(), pointers_.end(), [&](const std::string& other) {
+                return other.size() < text.size() && is_within(text, other);
+            })) {
+            continue;
+        }
+        Json* place = &picked;
+        for (const std::string& key : keys_of(text)) {
+            place = &(*place)[key];
+        }
+        *place = result.at(pointer);
     }
-    begin(std::string(field.key), object_with_room(16));
-    return true;
-}
-
-bool ResultJson::begin_list(const ResultField& field) {
-    if (!wants(field.key)) {
-        return false;
-    }
-    begin(std::string(field.key), Json::array());
-    return true;
-}
-
-bool ResultJson::begin_element(std::size_t index) {
-    // All of them: an element keeps its place in the list.
-    begin(std::to_string(index), object_with_room(16));
-    return true;
-}
-
-Json ResultJson::take() {
-    return std::move(levels_.front().value);
+    return picked;
 }
 
 }  // namespace ravnoves

@@ -3,23 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case-file/json.h"
+#include "case-file/object_reader.h"
 
 namespace ravnoves {
 
 ResultNumbers::ResultNumbers(std::span<const std::string> pointers)
     : nodes_(1), pointers_(pointers.begin(), pointers.end()) {
     for (const std::string& text : pointers) {
-        std::vector<std::string> keys;
-        for (Json::json_pointer rest(text); !rest.empty(); rest.pop_back()) {
-            keys.push_back(rest.back());
-        }
         std::size_t node = 0;
-        for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
-            std::size_t next = inside(node, *key);
+        for (const std::string& key : keys_of(text)) {
+            std::size_t next = inside(node, key);
             if (next == 0) {
                 next = nodes_.size();
-                nodes_[node].inside.emplace_back(*key, next);
+                nodes_[node].inside.emplace_back(key, next);
                 nodes_.push_back({.around = node});
             }
             node = next;
@@ -90,12 +86,8 @@ void ResultNumbers::leaf(const ResultField& field, const ResultValue& value) {
         if (field.key == "reason" || field.key == "note") {
             nodes_[at_].why = **text;
         }
-    } else if (const auto* number = std::get_if<double>(&value)) {
-        set(node, field, *number / field.unit);
-    } else if (const auto* count = std::get_if<long long>(&value)) {
-        set(node, field, static_cast<double>(*count));
-    } else if (const auto* flag = std::get_if<bool>(&value)) {
-        set(node, field, *flag ? 1.0 : 0.0);
+    } else if (const auto number = single_number(value)) {
+        set(node, field, std::holds_alternative<double>(value) ? *number / field.unit : *number);
     } else if (const auto* numbers = std::get_if<std::span<const double>>(&value)) {
         elements(node, *numbers);
     } else if (const auto* integers = std::get_if<std::span<const int>>(&value)) {

@@ -54,6 +54,16 @@ struct NumberRows {
 using ResultValue = std::variant<std::monostate, double, long long, bool, std::string_view,
                                  const Message*, std::span<const Message>, std::span<const double>,
                                  std::span<const int>, NumberRows>;
+/// Of a number in SI units or a count; yes and no are 1 and 0. Nothing of other values.
+inline std::optional<double> single_number(const ResultValue& value) {
+    const auto* number = std::get_if<double>(&value);
+    const auto* count = std::get_if<long long>(&value);
+    const auto* flag = std::get_if<bool>(&value);
+    return number != nullptr  ? std::optional(*number)
+           : count != nullptr ? std::optional(static_cast<double>(*count))
+           : flag != nullptr  ? std::optional(*flag ? 1.0 : 0.0)
+                              : std::nullopt;
+}
 
 /// Visits the values of a scene's result in the order of its file.
 ///

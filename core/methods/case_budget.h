@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "case-file/case_context.h"
-#include "case-file/result_index.h"
+#include "case-file/result_json.h"
 
 namespace ravnoves {
 struct CaseFile;

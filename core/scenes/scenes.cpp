@@ -14,7 +14,6 @@
 #include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/result_json.h"
 #include "elastic-hinge/input.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
@@ -106,15 +105,13 @@ SceneSolver older_scene(std::string_view name) {
 }  // namespace
 
 Json SceneSolver::solve(const Json& input, const CaseContext& context, const Wanted& wanted) const {
-    ResultJson json(wanted);
-    visit(json, input, context);
-    return json.take();
+    return result_json(wanted, VisitResults([&](ResultVisitor& visitor) {
+                           visit(visitor, input, context);
+                       }));
 }
 
 std::vector<ResultEntry> SceneSolver::results(const Json& input, const CaseContext& context) const {
-    ResultIndex index;
-    visit(index, input, context);
-    return index.take();
+    return list_results([&](ResultVisitor& visitor) { visit(visitor, input, context); });
 }
 
 std::span<const SceneSolver> scene_solvers() {

@@ -15,8 +15,7 @@
 #include "case-file/json_fwd.h"
 #include "case-file/preset.h"
 #include "case-file/response.h"
-#include "case-file/result_index.h"
-#include "case-file/wanted.h"
+#include "case-file/result_json.h"
 
 namespace ravnoves {
 

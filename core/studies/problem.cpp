@@ -9,7 +9,6 @@
 #include "case-file/object_reader.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
-#include "case-file/wanted.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 #include "studies/study_run.h"

@@ -266,8 +266,7 @@ QString FieldNames::errorText(const InputError& error) const {
         place = strangeKey(lastKey(where));
     } else if (error.of() == InputError::Of::named_file) {
         // The file that the case names; what is wrong with it is behind.
-        place += QLatin1Char(' ') +
-                 QString::fromStdString(std::get<std::string>(rule.arguments().front()));
+        place += QLatin1Char(' ') + messageText(std::get<Message>(rule.arguments().front()));
         allowed = messageText(std::get<Message>(rule.arguments().back()), {.word = word});
     }
     QString text = place.isEmpty() ? allowed : place + QStringLiteral(": ") + allowed;

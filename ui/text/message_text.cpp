@@ -59,7 +59,6 @@ QString messageText(const Message& message, const MessageWords& words) {
     }
     struct Said {
         const MessageWords& words;
-        QString operator()(const std::string& word) const { return words.word(word); }
         QString operator()(const Message& inner) const { return messageText(inner, words); }
         QString operator()(const Number& number) const { return words.number(number); }
     };

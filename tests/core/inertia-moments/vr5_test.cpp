@@ -2,7 +2,7 @@
 // among those of tests/core/methods/validation_test.cpp.
 #include <gtest/gtest.h>
 
-#include "case-file/result_index.h"
+#include "case-file/result_json.h"
 #include "engines.h"
 #include "inertia-moments/results.h"
 
@@ -13,9 +13,8 @@ using test::vr5;
 
 // By the contract about the mean of the crankpins, 15.8 mm and more from the z₀ of all others.
 TEST(VolkswagenVr5, NamesThePointOfTheRotatingMoment) {
-    ResultIndex index;
-    visit_results(index, vr5());
-    for (const ResultEntry& entry : index.take()) {
+    for (const ResultEntry& entry :
+         list_results([](ResultVisitor& visitor) { visit_results(visitor, vr5()); })) {
         if (entry.pointer.starts_with("/rotating/moment_") && entry.unit != units::degree) {
             EXPECT_TRUE(entry.name.english().ends_with(" about mean z")) << entry.pointer;
         }

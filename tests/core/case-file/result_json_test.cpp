@@ -1,9 +1,8 @@
-#include "case-file/wanted.h"
+#include "case-file/result_json.h"
 
 #include <gtest/gtest.h>
 
 #include "case-file/json.h"
-#include "case-file/result_json.h"
 #include "case-file/verdict.h"
 #include "error_of.h"
 
@@ -65,17 +64,17 @@ TEST(Wanted, RejectsWhatIsNoPointerOrNotThere) {
 TEST(Wanted, SentencesThatNoOneWantsAreNotBuilt) {
     int built = 0;
     const auto visited = [&](const Wanted& wanted) {
-        ResultJson json(wanted);
-        visit_verdict(json, [&] {
-            ++built;
-            return Verdict{Severity::note, Text::tr("a")};
-        });
-        json.texts(result_field::notes, [&] {
-            ++built;
-            return std::vector<Message>{Text::tr("b")};
-        });
-        json.flag(result_field::feasible, true);
-        return json.take();
+        return result_json(wanted, VisitResults([&](ResultVisitor& visitor) {
+                               visit_verdict(visitor, [&] {
+                                   ++built;
+                                   return Verdict{Severity::note, Text::tr("a")};
+                               });
+                               visitor.texts(result_field::notes, [&] {
+                                   ++built;
+                                   return std::vector<Message>{Text::tr("b")};
+                               });
+                               visitor.flag(result_field::feasible, true);
+                           }));
     };
     EXPECT_EQ(visited(Wanted({"/feasible"})), (Json{{"feasible", true}}));
     EXPECT_EQ(built, 0);
