@@ -77,9 +77,7 @@ class Message {
   private:
     template <typename Value>
     requires std::is_arithmetic_v<Value>
-    void add(Value value) {
-        add(Number{static_cast<double>(value)});
-    }
+    void add(Value value) { add(Number{static_cast<double>(value)}); }
     void add(Number value);
     void add(Message value);
 

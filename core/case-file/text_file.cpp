@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,6 @@ namespace ravnoves {
 namespace {
 
 constexpr std::size_t largest_text = 64U << 20U;  ///< bytes
-constexpr Text too_large = Text::tr("must be at most 64 MiB");
 
 /// What the operating system says of a file, by its errno: "No space left on device". The common
 /// ones are translated, the others as the system has them.
@@ -203,7 +201,7 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
 
 void check_text_size(std::size_t bytes) {
     if (bytes > largest_text) {
-        throw InputError("", too_large);
+        throw InputError("", Text::tr("must be at most 64 MiB"));
     }
 }
 
@@ -238,11 +236,7 @@ LineReader::LineReader(int descriptor) : descriptor_(descriptor), block_(block_s
 bool LineReader::next(std::string& line) {
     line.clear();
     bool any = false;
-    kept_ = Kept::whole;
-    const auto drop = [&](Kept why) {
-        kept_ = why;
-        std::string().swap(line);
-    };
+    fault_ = nullptr;
     while (true) {
         if (at_ == end_) {
             at_ = 0;
@@ -256,15 +250,14 @@ bool LineReader::next(std::string& line) {
         const auto* const feed = static_cast<const char*>(std::memchr(begin, '\n', end_ - at_));
         const std::size_t count =
             feed != nullptr ? static_cast<std::size_t>(feed - begin) : end_ - at_;
-        if (kept_ == Kept::whole && line.size() + count > largest_text) {
-            drop(Kept::too_long);
-        }
-        if (kept_ == Kept::whole) {
-            try {
+        try {
+            if (!fault_) {
+                check_text_size(line.size() + count);
                 line.append(begin, count);
-            } catch (const std::bad_alloc&) {
-                drop(Kept::no_memory);
             }
+        } catch (...) {
+            fault_ = std::current_exception();
+            std::string().swap(line);
         }
         at_ += count;
         if (feed != nullptr) {
@@ -279,11 +272,8 @@ bool LineReader::next(std::string& line) {
 }
 
 void LineReader::check_kept() const {
-    if (kept_ == Kept::too_long) {
-        throw InputError("", too_large);
-    }
-    if (kept_ == Kept::no_memory) {
-        throw std::bad_alloc();
+    if (fault_) {
+        std::rethrow_exception(fault_);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -48,8 +49,7 @@ class LineReader {
     std::size_t at_ = 0;   ///< start of the part of the block not yet handed out
     std::size_t end_ = 0;  ///< end of the part that was read
     int number_ = 0;
-    enum class Kept { whole, too_long, no_memory };
-    Kept kept_ = Kept::whole;  ///< of the last line
+    std::exception_ptr fault_;  ///< why nothing of the last line is kept
 };
 
 }  // namespace ravnoves
