@@ -8,29 +8,27 @@
 
 namespace ravnoves {
 
-/// The interval of an input, in the unit that the user sees. Case files and forms read the same
-/// Range, so both reject the same values.
+/// The interval of an input, in the unit that the user sees; with a max it has a min. Case files
+/// and forms read the same Range, so both reject the same values.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
     bool min_open = false;  ///< min itself is not allowed
-    bool max_open = false;  ///< max itself is not allowed
 
     static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
     /// min < x <= max
     static constexpr Range greater_than(double min, double max = unbounded) {
-        return {min, max, true, false};
+        return {min, max, true};
     }
     /// min <= x <= max
-    static constexpr Range between(double min, double max) { return {min, max, false, false}; }
+    static constexpr Range between(double min, double max) { return {min, max}; }
     /// min <= x
-    static constexpr Range at_least(double min) { return {min, unbounded, false, false}; }
+    static constexpr Range at_least(double min) { return {min}; }
 
     /// True where x is finite and in the interval.
     bool contains(double x) const {
-        return std::isfinite(x) && (min_open ? x > min : x >= min) &&
-               (max_open ? x < max : x <= max);
+        return std::isfinite(x) && (min_open ? x > min : x >= min) && x <= max;
     }
 
     /// The rule as text: "must be greater than 0", "must be from 0 to 360".

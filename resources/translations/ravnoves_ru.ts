@@ -669,10 +669,6 @@
         <translation>обязательно, но отсутствует</translation>
     </message>
     <message>
-        <source>must be at most %1</source>
-        <translation>должно быть не больше %1</translation>
-    </message>
-    <message>
         <source>must be a file name</source>
         <translation>должно быть именем файла</translation>
     </message>
@@ -805,16 +801,8 @@
         <translation>должно быть от %1 до %2</translation>
     </message>
     <message>
-        <source>must be greater than %1 and less than %2</source>
-        <translation>должно быть больше %1 и меньше %2</translation>
-    </message>
-    <message>
         <source>must be greater than %1 and at most %2</source>
         <translation>должно быть больше %1 и не больше %2</translation>
-    </message>
-    <message>
-        <source>must be at least %1 and less than %2</source>
-        <translation>должно быть не меньше %1 и меньше %2</translation>
     </message>
     <message>
         <source>must be greater than %1</source>
@@ -823,10 +811,6 @@
     <message>
         <source>must be at least %1</source>
         <translation>должно быть не меньше %1</translation>
-    </message>
-    <message>
-        <source>must be less than %1</source>
-        <translation>должно быть меньше %1</translation>
     </message>
     <message>
         <source>must be a finite number</source>

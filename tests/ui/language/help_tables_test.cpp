@@ -74,14 +74,14 @@ QString allowed(const FieldEntry& entry) {
     const Range& range = entry.field.range;
     const bool low = std::isfinite(range.min);
     const bool high = std::isfinite(range.max);
-    if (low && high && !range.min_open && !range.max_open) {
+    if (low && high && !range.min_open) {
         parts << numberText(range.min) + u" … "_s + numberText(range.max);
     } else {
         if (low) {
             parts << (range.min_open ? u"> "_s : u"≥ "_s) + numberText(range.min);
         }
         if (high) {
-            parts << (range.max_open ? u"< "_s : u"≤ "_s) + numberText(range.max);
+            parts << u"≤ "_s + numberText(range.max);
         }
     }
     if (!entry.word.empty()) {
