@@ -22,10 +22,6 @@ Message Range::message(Unit unit) const {
     return Text::tr("must be a finite number");
 }
 
-Message Range::whole_number_message() const {
-    return {Text::tr("must be a whole number from %1 to %2"), min, max};
-}
-
 int whole_number(const Word& word) {
     int number = 0;
     std::from_chars(word.word.data(), word.word.data() + word.word.size(), number);
@@ -41,7 +37,7 @@ bool Field::allows_whole(double value) const {
 
 Message Field::whole_number_rule() const {
     return words.empty()
-               ? range.whole_number_message()
+               ? Message(Text::tr("must be a whole number from %1 to %2"), range.min, range.max)
                : Message(Text::tr("must be %1 or %2"), words.front().word, words.back().word);
 }
 

@@ -33,8 +33,6 @@ struct Range {
 
     /// The rule as text: "must be greater than 0", "must be from 0 to 360".
     Message message(Unit unit = units::none) const;
-    /// The rule for a whole number: "must be a whole number from 1 to 12".
-    Message whole_number_message() const;
 };
 
 }  // namespace ravnoves

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
+
+#include "case-file/decimal.h"
+#include "numerics/demand.h"
+#include "numerics/units.h"
 
 namespace ravnoves::shop {
 
@@ -22,11 +27,21 @@ struct Weighing {
     /// At a crank radius, m.
     bool is_enough(double radius) const { return radius <= *largest_radius * (1.0 + 1e-12); }
     /// The coarsest last digit of a scale that is enough there, kg.
-    double coarsest(double radius) const;
+    double coarsest(double radius) const {
+        return round_step(resolution * *largest_radius / radius / units::gram) * units::gram;
+    }
 };
 
 /// @param squares  Σ c²/n
 /// @param limit    kg·m
-Weighing weighing(double resolution, double squares, const std::optional<double>& limit);
+inline Weighing weighing(double resolution, double squares, const std::optional<double>& limit) {
+    RAVNOVES_DEMAND(resolution > 0.0, "a scale has a last digit");
+    Weighing found{resolution, 2.0 * resolution * std::sqrt((1.0 + squares) / 12.0), std::nullopt};
+    if (limit) {
+        constexpr double share = 1.0 / 3.0;  // that the scale may use up
+        found.largest_radius = share * *limit / found.bob_weight;
+    }
+    return found;
+}
 
 }  // namespace ravnoves::shop

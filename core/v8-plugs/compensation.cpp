@@ -111,12 +111,4 @@ std::optional<BobWeight> bob_weight(const Engine& engine, const MassChanges& cha
                : std::nullopt;
 }
 
-double shift_coefficient(double shift, double crank_radius) {
-    return shift / crank_radius;
-}
-
-double shift_unbalance(double plug_mass, double shift) {
-    return 2.0 * plug_mass * shift;
-}
-
 }  // namespace ravnoves::v8_plugs

@@ -126,19 +126,12 @@ BobWeight bob_weight(const Engine& engine, const MassChanges& changes, double pl
 inline constexpr double smallest_shift = 0.8e-3;  ///< m
 inline constexpr double largest_shift = 1.2e-3;   ///< m
 /// Δk = Δr / r, eq. (1).
-double shift_coefficient(double shift, double crank_radius);
+inline double shift_coefficient(double shift, double crank_radius) {
+    return shift / crank_radius;
+}
 /// What the shift is worth on a crankpin with two such plugs, 2 m Δk r = 2 m Δr, kg·m.
-double shift_unbalance(double plug_mass, double shift);
-
-/// Crank radii of the five curves of the paper's Fig. 2 and their engines.
-struct ShiftCurve {
-    double crank_radius;  ///< m
-    std::string_view engines;
-};
-inline constexpr std::array<ShiftCurve, 5> shift_curves{{{40e-3, "4.25 l"},
-                                                         {47.5e-3, "6 l, 7 l"},
-                                                         {57.5e-3, "8.74 l"},
-                                                         {60e-3, "8.32 l, 10.85 l"},
-                                                         {70e-3, "14.86 l"}}};
+inline double shift_unbalance(double plug_mass, double shift) {
+    return 2.0 * plug_mass * shift;
+}
 
 }  // namespace ravnoves::v8_plugs

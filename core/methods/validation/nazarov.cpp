@@ -171,16 +171,15 @@ void text(const Column& c, const Engine& engine, PaperRows& rows) {
 }
 
 void shifts(PaperRows& rows) {
-    using v8_plugs::shift_coefficient;
-    const auto& curves = v8_plugs::shift_curves;
     const double largest = v8_plugs::largest_shift;
+    const auto coefficient = [&](const char* engine) {
+        return v8_plugs::shift_coefficient(largest, *v8_plugs::find_preset(engine)->crank_radius);
+    };
     rows.at(in_text(figure(2)));
     rows.reproduced(joined(Text::tr("maximum Δk"), litres(14.86)), "", "0.017",
-                    shift_coefficient(largest, curves.back().crank_radius),
-                    Text::tr("Δr / r, eq. (1)."));
+                    coefficient("14.86 l"), Text::tr("Δr / r, eq. (1)."));
     rows.reproduced(joined(Text::tr("maximum Δk"), litres(4.25)), "", "0.030",
-                    shift_coefficient(largest, curves.front().crank_radius),
-                    Text::tr("Δr / r, eq. (1)."));
+                    coefficient("4.25 l"), Text::tr("Δr / r, eq. (1)."));
     rows.given(upper_end(Text::tr("maximum shift Δr")), "mm", "1.2", largest / units::mm,
                Text::tr("The maximum Δk were computed from this value."));
     rows.not_derivable(lower_end(Text::tr("maximum shift Δr")), "mm", "0.8",

@@ -30,17 +30,6 @@ TEST(PaperText, UnroundedCoefficientsMoveTable3ByLessThanThreeMilligrams) {
     }
 }
 
-TEST(PaperText, EveryEngineHasACurveOfFigure2) {
-    for (const Engine& engine : engine_presets()) {
-        const auto curve =
-            std::find_if(shift_curves.begin(), shift_curves.end(), [&](const ShiftCurve& c) {
-                return std::abs(c.crank_radius - *engine.crank_radius) < 1e-9;
-            });
-        ASSERT_NE(curve, shift_curves.end()) << engine.name;
-        EXPECT_NE(curve->engines.find(engine.name), std::string_view::npos) << engine.name;
-    }
-}
-
 TEST(Presets, SizesOfTable1) {
     const PlugSheet small = printed_plug("4.25 l");
     EXPECT_EQ(thread_name(small.thread.value()), "M22x1.5");
