@@ -8,13 +8,7 @@
 namespace ravnoves {
 
 std::optional<double> parse_decimal(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n\xC2\xA0";  // with the no-break space's bytes
-    while (!text.empty() && blanks.find(text.front()) != std::string_view::npos) {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && blanks.find(text.back()) != std::string_view::npos) {
-        text.remove_suffix(1);
-    }
+    text = trimmed(text, " \t\r\n\xC2\xA0");  // with the no-break space's bytes
     std::string plain;
     constexpr std::string_view minus_sign = "\xE2\x88\x92";
     if (text.substr(0, minus_sign.size()) == minus_sign) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,12 @@ namespace ravnoves {
 /// sign and exponent; the typographic minus (U+2212) too. One separator only: "1.234,5" is rejected
 /// rather than guessed. Nothing where the whole text is not one finite number.
 std::optional<double> parse_decimal(std::string_view text);
+
+/// Without the blanks around it.
+inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\v") {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
 
 /// Whether the number that a text begins with may have its thousands divided by a comma: "1,893",
 /// not "0,893" or "1,89".

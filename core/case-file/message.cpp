@@ -91,13 +91,4 @@ std::string Message::english() const {
     return fill_pattern(pattern_.english, values);
 }
 
-std::vector<std::string> english(const std::vector<Message>& messages) {
-    std::vector<std::string> sentences;
-    sentences.reserve(messages.size());
-    for (const Message& message : messages) {
-        sentences.push_back(message.english());
-    }
-    return sentences;
-}
-
 }  // namespace ravnoves

@@ -86,8 +86,6 @@ class Message {
     std::vector<Argument> arguments_;
 };
 
-/// The English sentences, as in a result's notes.
-std::vector<std::string> english(const std::vector<Message>& messages);
 /// "a, b"
 Message joined(Message a, Message b);
 /// A place in a table or in the text of a file.

@@ -15,17 +15,6 @@ namespace ravnoves {
 
 namespace {
 
-std::string_view trim(std::string_view text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v'; };
-    while (!text.empty() && is_blank(text.front())) {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && is_blank(text.back())) {
-        text.remove_suffix(1);
-    }
-    return text;
-}
-
 /// In small letters, without signs, blanks and quotes.
 std::string word_of(std::string_view text) {
     std::string word;
@@ -55,7 +44,7 @@ Message found(std::string_view text, bool is_table) {
 /// Fields of a line; a blank separator represents any run of blanks. Quotes around a field go.
 void split(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
-    line = separator == '\t' ? line : trim(line);
+    line = separator == '\t' ? line : trimmed(line);
     while (true) {
         std::size_t end = 0;
         if (!line.empty() && line.front() == '"') {
@@ -63,9 +52,9 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
             end = end == std::string_view::npos ? 0 : end;
         }
         end = separator == ' ' ? line.find_first_of(" \t", end) : line.find(separator, end);
-        std::string_view text = trim(line.substr(0, end));
+        std::string_view text = trimmed(line.substr(0, end));
         if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-            text = trim(text.substr(1, text.size() - 2));
+            text = trimmed(text.substr(1, text.size() - 2));
         }
         fields.push_back(text);
         if (end == std::string_view::npos) {
@@ -73,7 +62,7 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
         }
         line.remove_prefix(end + 1);
         if (separator == ' ') {
-            line = trim(line);
+            line = trimmed(line);
         }
     }
     if (fields.size() > 2 && fields.back().empty()) {
@@ -82,7 +71,7 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
 }
 
 bool looks_like_number(std::string_view text) {
-    text = trim(text);
+    text = trimmed(text);
     while (!text.empty() && text.front() == '"') {
         text.remove_prefix(1);
     }
@@ -111,7 +100,7 @@ class Lines {
             text_.remove_prefix(end == std::string_view::npos    ? text_.size()
                                 : text_.substr(end, 2) == "\r\n" ? end + 2
                                                                  : end + 1);
-            const std::string_view words = trim(line_);
+            const std::string_view words = trimmed(line_);
             if (!words.empty() && words.front() != '#') {
                 return true;
             }
@@ -182,12 +171,9 @@ std::optional<RowStart> find_rows(const std::vector<std::string_view>& lines, ch
 
 /// The separator of a line that is no row; what is wrong with it is said as it is read.
 char usual_separator(std::string_view line) {
-    for (const char separator : separators) {
-        if (line.find(separator) != std::string_view::npos) {
-            return separator;
-        }
-    }
-    return ' ';
+    const auto is_in = [&](char sign) { return line.find(sign) != std::string_view::npos; };
+    const auto found = std::ranges::find_if(separators, is_in);
+    return found != separators.end() ? *found : ' ';
 }
 
 /// What the commas of a column can be.

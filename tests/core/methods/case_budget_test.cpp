@@ -121,14 +121,14 @@ TEST(CaseBudget, ThePhaseOfATraceIsAsCertainAsItsCompressionLine) {
     const auto notes_of = [&](const std::string& varied, const Json& spread) {
         file.study = {{"vary", {{varied, spread}}},
                       {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}}};
-        return english(studies::problem_of(file, {}).file_notes);
+        return studies::problem_of(file, {}).file_notes;
     };
     const auto notes = notes_of("/crank_radius_mm", {{"plus_minus", 0.02}});
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_TRUE(
-        notes[0].starts_with("The uncertain dead centre of the trace is not included: give " +
-                             pointer + " a tolerance of ± 0."))
-        << notes[0];
+    EXPECT_TRUE(notes[0].english().starts_with(
+        "The uncertain dead centre of the trace is not included: give " + pointer +
+        " a tolerance of ± 0."))
+        << notes[0].english();
     EXPECT_TRUE(notes_of("/crank_radius_mm", {{"values", {37, 38}}}).empty());
     // A tolerance of the user's own takes its place.
     file.input["torque"]["pressure"]["crank_angle_shift_deg"] = 0.0;
