@@ -56,12 +56,10 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
         Level& level = levels_.back();
         level.key = std::move(key);
         check_text(level.key, {});
-        const auto& names = entries(level);
-        if (std::any_of(names.begin(), names.end(),
-                        [&](const auto& entry) { return entry.first == level.key; })) {
+        if (level.value.contains(level.key)) {
             throw InputError(pointer(), Text::tr("is given twice"));
         }
-        if (names.size() >= max_names) {
+        if (level.value.size() >= max_names) {
             levels_.pop_back();
             throw InputError(pointer(), {Text::tr("must have at most %1 names"), max_names});
         }
@@ -101,9 +99,6 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
             throw InputError(pointer(), no_nul, found.is_null() ? Message() : show(found));
         }
     }
-    static Json::object_t::Container& entries(Level& level) {
-        return level.value.get_ref<Json::object_t&>();
-    }
     template <typename Value>
     bool put(Value&& value) {
         if (++values_ > max_values) {
@@ -115,10 +110,9 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
         }
         Level& level = levels_.back();
         if (level.value.is_array()) {
-            level.value.get_ref<Json::array_t&>().emplace_back(std::forward<Value>(value));
+            level.value.emplace_back(std::forward<Value>(value));
         } else {
-            // The map's own insertion looks for the key first.
-            entries(level).emplace_back(std::move(level.key), std::forward<Value>(value));
+            level.value.emplace(std::move(level.key), std::forward<Value>(value));
         }
         return true;
     }
@@ -188,10 +182,9 @@ std::vector<CaseVariant> read_variants(const Json& list) {
 
 CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     constexpr Word formats[]{{case_format}};
-    ObjectReader(document, "").choice("format", formats);
-    CaseFile file;
     ObjectReader reader(document, "");
-    reader.has("format");
+    reader.choice("format", formats);
+    CaseFile file;
     if (const auto version = reader.whole("version", 1, 1'000'000); version > case_version) {
         throw InputError("/version",
                          {Text::tr("must be at most %1 (a newer program wrote this case; update "
