@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "case-file/field_index.h"
 #include "case-file/field_writer.h"
@@ -180,7 +181,7 @@ class Index final : public FieldWalker {
     int one_of(std::initializer_list<std::string_view> keys, int present) override {
         if (all_) {
             for (const std::string_view key : keys) {
-                choices_.push_back({pointer_to(key), {keys.begin(), keys.end()}});
+                choices_[pointer_to(key)] = {keys.begin(), keys.end()};
             }
         }
         return all_ ? -1 : present;
@@ -227,16 +228,16 @@ class Index final : public FieldWalker {
         entry.place_unit = field.unit;
     }
     bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
-        if (all_ || !field.label.empty() || !field.hint.empty()) {
+        if (wants(field) && (all_ || !field.label.empty() || !field.hint.empty())) {
             add(field, FieldKind::object).required = required;
         }
         return leads_on(field) && FieldWalker::begin_object(field, required, true);
     }
     bool begin_list(const Field& field, std::size_t& count) override {
-        add(field, FieldKind::list);
-        if (all_) {
-            count = 1;
+        if (wants(field)) {
+            add(field, FieldKind::list);
         }
+        count = all_ ? 1 : count;
         return leads_on(field) && FieldWalker::begin_list(field, count);
     }
 
@@ -264,14 +265,9 @@ class Index final : public FieldWalker {
     bool leads_on(const Field& field) const { return only_.empty() || is_within(field.key, only_); }
     bool wants(const Field& field) const { return only_.empty() || pointer_to(field.key) == only_; }
     FieldEntry& add(const Field& field, FieldKind kind) {
-        if (!wants(field)) {
-            return passed_;
-        }
         FieldEntry entry{.pointer = pointer_to(field.key), .field = field, .kind = kind};
-        for (const Choice& choice : choices_) {
-            if (choice.pointer == entry.pointer) {
-                entry.alternatives = choice.keys;
-            }
+        if (all_) {
+            entry.alternatives = choices_[entry.pointer];
         }
         return entries_.emplace_back(std::move(entry));
     }
@@ -293,17 +289,12 @@ class Index final : public FieldWalker {
         return leaf.is_choice ? FieldKind::choice : kinds.at(leaf.at.index());
     }
 
-    struct Choice {
-        std::string pointer;
-        std::vector<std::string> keys;
-    };
     bool all_;
     std::string_view only_;
     const FieldValue* given_;
     bool has_set_ = false;
-    std::vector<Choice> choices_;
+    std::map<std::string, std::vector<std::string>> choices_;  ///< by pointer
     std::vector<FieldEntry> entries_;
-    FieldEntry passed_;  ///< one that is not wanted
 };
 
 }  // namespace
