@@ -11,7 +11,6 @@
 #include "numerics/constants.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
-#include "pictures/model/thin_polyline.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"

@@ -267,7 +267,7 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
     for (int i = 0; i <= heights; ++i) {
         for (const double across : {0.0, -aside, aside}) {
             const QRectF box = used.translated(across, down * i / heights);
-            if (places.covered(box) == 0.0) {
+            if (places.covered(box) == 0) {
                 places.addLabel(box);
                 drawLabel(painter, box, Theme::instance().mutedText(), band.text, flags);
                 return;

@@ -108,11 +108,11 @@ LabelPlaces PlotPainter::drawnPlaces() const {
         }
     }
     for (const plot::Line& line : data_.lines) {
-        places.addLine(strokeOf(line).p1(), strokeOf(line).p2());
+        places.addLine({strokeOf(line).p1(), strokeOf(line).p2()});
     }
     if (data_.presentX) {
         const double x = across(*data_.presentX);
-        places.addLine({x, data_.area.top()}, {x, data_.area.bottom()});
+        places.addLine({{x, data_.area.top()}, {x, data_.area.bottom()}});
     }
     for (const plot::Mark& mark : data_.marks) {
         const QPointF at = data_.toPixel(mark.x, mark.y);

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-#include "pictures/model/thin_polyline.h"
+#include "pictures/model/stroke.h"
 #include "plot/model/label_places.h"
 #include "text/csv_format.h"
 
@@ -76,20 +76,20 @@ TEST(PlotScale, LabelsBesideOneAnotherHaveRoom) {
 
 TEST(LabelPlaces, ChoosesWhereMinimumIsDrawn) {
     LabelPlaces places(QRectF(10, 10, 200, 100));
-    places.addLine({10, 60}, {210, 60});
-    places.addLine({-1e9, 20}, {1e9, 20});  // far beyond it
+    places.addLine({{10, 60}, {210, 60}});
+    places.addLine({{-1e9, 20}, {1e9, 20}});  // far beyond it
     const QSizeF size(40, 12);
     const QRectF over({50, 54}, size);
     const QRectF below({50, 70}, size);
-    EXPECT_GT(places.covered(over), 0.0);
-    EXPECT_EQ(places.covered(below), 0.0);
+    EXPECT_GT(places.covered(over), 0);
+    EXPECT_EQ(places.covered(below), 0);
     EXPECT_EQ(places.place(std::array{over, below}), below);
     // The next one keeps off the first even where a curve passes.
     EXPECT_EQ(places.place(std::array{below, over}), over);
     // All of it within the area.
     EXPECT_EQ(places.place(std::array{QRectF({190, 90}, size)}), QRectF({170, 90}, size));
     places.addShape(QRectF(0, 0, 400, 400));
-    EXPECT_GT(places.covered(QRectF({100, 85}, size)), 0.0);
+    EXPECT_GT(places.covered(QRectF({100, 85}, size)), 0);
     places.addShape(QRectF(500, 500, 4, 4));  // elsewhere
 }
 

@@ -1,12 +1,13 @@
 #include "pictures/model/line_brush.h"
 
+#include <QLineF>
 #include <QtEndian>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
-#include "pictures/model/crossings.h"
 #include "pictures/model/pixel.h"
 
 namespace ravnoves {
@@ -14,6 +15,27 @@ namespace ravnoves {
 namespace {
 
 constexpr double tiny = 1e-9;
+
+/// Where a straight line enters and leaves a rectangle, as shares of its length; nothing where it
+/// passes by.
+std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box) {
+    double from = 0.0;
+    double to = 1.0;
+    const auto keep = [&](double at, double along, double low, double high) {
+        if (along == 0.0) {
+            if (at < low || at > high) {
+                to = -1.0;
+            }
+            return;
+        }
+        const auto [enters, leaves] = std::minmax({(low - at) / along, (high - at) / along});
+        from = std::max(from, enters);
+        to = std::min(to, leaves);
+    };
+    keep(line.x1(), line.dx(), box.left(), box.right());
+    keep(line.y1(), line.dy(), box.top(), box.bottom());
+    return from < to ? std::optional(std::pair(from, to)) : std::nullopt;
+}
 
 /// A mixture of two premultiplied colours, `share` of 255 parts of the first.
 std::uint32_t mixed(std::uint32_t colour, std::uint32_t ground, std::uint32_t share) {

@@ -32,4 +32,10 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
 std::vector<QPolygonF> hatchLines(const QPainterPath& area, const QRectF& seen, double apart,
                                   double fall);
 
+/// Leaves out the points of a polyline that would move no pixel: every dropped point is within
+/// `tolerance` (pixels) of the remaining line (Ramer, Douglas and Peucker). A chart pays for points
+/// drawn, so a 721-point curve is drawn with 100 to 200.
+/// @param points  in pixels; may be empty
+QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance = 0.25);
+
 }  // namespace ravnoves

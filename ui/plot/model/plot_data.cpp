@@ -4,7 +4,7 @@
 #include <limits>
 #include <tuple>
 
-#include "pictures/model/thin_polyline.h"
+#include "pictures/model/stroke.h"
 #include "plot/model/figure.h"
 #include "text/csv_format.h"
 #include "text/shown_units.h"
