@@ -14050,18 +14050,6 @@ but at this l no α is feasible</source>
         <translation>постоянно %1</translation>
     </message>
     <message>
-        <source>across from %1 to %2, up from %3 to %4</source>
-        <translation>по горизонтали от %1 до %2, по вертикали от %3 до %4</translation>
-    </message>
-    <message>
-        <source>rises from %1 at %2 to %3 at %4</source>
-        <translation>растёт от %1 при %2 до %3 при %4</translation>
-    </message>
-    <message>
-        <source>falls from %1 at %2 to %3 at %4</source>
-        <translation>убывает от %1 при %2 до %3 при %4</translation>
-    </message>
-    <message>
         <source>from %1 at %2 to %3 at %4</source>
         <translation>от %1 при %2 до %3 при %4</translation>
     </message>
@@ -14074,20 +14062,12 @@ but at this l no α is feasible</source>
         <translation>Данных нет.</translation>
     </message>
     <message>
-        <source>; and %1 more.</source>
-        <translation>; и ещё %1.</translation>
-    </message>
-    <message>
         <source>Marked: %1.</source>
         <translation>Отмечено: %1.</translation>
     </message>
     <message>
         <source>Now at %1.</source>
         <translation>Сейчас %1.</translation>
-    </message>
-    <message>
-        <source>With bands: 5…95 % due to the tolerances.</source>
-        <translation>С полосами: 5…95&#xa0;% из-за допусков.</translation>
     </message>
 </context>
 <context>

@@ -10,43 +10,41 @@ namespace ravnoves {
 
 namespace {
 
-/// The wheel turns the field that the user went to, by a click, a key or its letter. One that
-/// merely has the focus, for it is the first of a page that came to the front, is not turned:
-/// nobody meant it.
+/// Where the user went last, by a click, a key or its letter. What merely has the focus, for it is
+/// the first of a page that came to the front, is not turned: nobody meant it.
+QPointer<QWidget> wentTo;
+
 class WheelGuard : public QObject {
   public:
     using QObject::QObject;
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        const bool isList = qobject_cast<QComboBox*>(watched) != nullptr;
-        if (!isList && qobject_cast<QSlider*>(watched) == nullptr) {
+        if (!watched->isWidgetType()) {
             return false;
         }
         auto* widget = static_cast<QWidget*>(watched);
         switch (event->type()) {
             case QEvent::Polish:
-                if (widget->focusPolicy() == Qt::WheelFocus) {
+                if (isGuarded(widget) && widget->focusPolicy() == Qt::WheelFocus) {
                     widget->setFocusPolicy(
                         Qt::StrongFocus);  // the wheel does not give it the focus
                 }
                 return false;
-            case QEvent::FocusIn: {
-                const FocusWay way = focusWay(static_cast<QFocusEvent*>(event)->reason());
-                if (way != FocusWay::back) {
-                    chosen_ = way == FocusWay::went ? widget : nullptr;
-                }
+            case QEvent::FocusIn:
+                goTo(widget, static_cast<QFocusEvent*>(event)->reason());
                 return false;
-            }
             case QEvent::Wheel:
                 // A closed list shows one word alone: what a notch makes of it is seen too late.
-                if (widget->hasFocus() && chosen_ == widget && !isList) {
+                if (!isGuarded(widget) || (isWheelOf(widget) && !isList(widget))) {
                     return false;
                 }
                 event->ignore();
                 return true;
             case QEvent::MouseButtonPress:
             case QEvent::KeyPress:
-                chosen_ = widget;
+                if (widget->hasFocus()) {
+                    wentTo = widget;
+                }
                 return false;
             default:
                 return false;
@@ -54,26 +52,33 @@ class WheelGuard : public QObject {
     }
 
   private:
-    QPointer<QWidget> chosen_;
+    static bool isList(const QWidget* widget) {
+        return qobject_cast<const QComboBox*>(widget) != nullptr;
+    }
+    static bool isGuarded(const QWidget* widget) {
+        return isList(widget) || qobject_cast<const QSlider*>(widget) != nullptr;
+    }
+    static void goTo(QWidget* widget, Qt::FocusReason reason) {
+        switch (reason) {
+            case Qt::MouseFocusReason:
+            case Qt::TabFocusReason:
+            case Qt::BacktabFocusReason:
+            case Qt::ShortcutFocusReason:
+                wentTo = widget;
+                break;
+            case Qt::ActiveWindowFocusReason:
+            case Qt::PopupFocusReason:
+            case Qt::MenuBarFocusReason:
+                break;  // it comes back to where it was
+            default:
+                if (wentTo == widget) {
+                    wentTo = nullptr;
+                }
+        }
+    }
 };
 
 }  // namespace
-
-FocusWay focusWay(Qt::FocusReason reason) {
-    switch (reason) {
-        case Qt::MouseFocusReason:
-        case Qt::TabFocusReason:
-        case Qt::BacktabFocusReason:
-        case Qt::ShortcutFocusReason:
-            return FocusWay::went;
-        case Qt::ActiveWindowFocusReason:
-        case Qt::PopupFocusReason:
-        case Qt::MenuBarFocusReason:
-            return FocusWay::back;
-        default:
-            return FocusWay::other;
-    }
-}
 
 void guardWheel() {
     static QPointer<WheelGuard> guard;
@@ -81,6 +86,10 @@ void guardWheel() {
         guard = new WheelGuard(qApp);
         qApp->installEventFilter(guard);
     }
+}
+
+bool isWheelOf(const QWidget* widget) {
+    return widget->hasFocus() && wentTo == widget;
 }
 
 }  // namespace ravnoves

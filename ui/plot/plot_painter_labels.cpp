@@ -334,7 +334,8 @@ void PlotPainter::paintPointReadout(QPainter& painter) const {
     if (curve.style.turn > 0.0) {
         rows = rowsOfPath(curve, data_.pointRead->second);
     } else {
-        for (const QString& text : curve.text(data_.pointRead->second).split(QLatin1Char('\n'))) {
+        const QString read = curve.text(curve.places[data_.pointRead->second]);
+        for (const QString& text : read.split(QLatin1Char('\n'))) {
             rows.push_back({text, theme.text()});
         }
     }

@@ -3,6 +3,7 @@
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QEvent>
+#include <QMetaMethod>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,10 @@
 
 #include "pictures/figure.h"
 #include "pictures/picture_file.h"
+#include "pictures/wheel_guard.h"
 #include "plot/legend_item.h"
-#include "plot/model/plot_sentence.h"
 #include "plot/plot_painter.h"
+#include "text/csv_format.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -56,6 +58,7 @@ PlotView::PlotView(QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
     [[maybe_unused]] static const bool isAccessible =
         (QAccessible::installFactory(makeAccessible), true);
+    guardWheel();
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);  // nothing behind it is painted first
@@ -90,8 +93,80 @@ QList<LegendItem*> PlotView::shownLegend() const {
     return items;
 }
 
-QString PlotView::sentence() const {
-    return plotSentence(data_);
+void PlotView::showFigure(const Figure& figure) {
+    const QString before = data_.title;
+    const PlotData::Change change = data_.show(figure);
+    if (data_.title != before) {
+        setAccessibleName(data_.title);
+    }
+    if (change == PlotData::Change::Chart) {
+        for (std::size_t number = 0; number < data_.curves.size(); ++number) {
+            dressLegend(number);
+        }
+        chartChanged();
+    } else if (change == PlotData::Change::Curves) {
+        curvesChanged();
+    }
+    showLegend();
+    updateChart();
+    if (figure.spreads) {
+        setSpreads(*figure.spreads);
+    }
+}
+
+LegendItem* PlotView::addSwitch(bool& shown, plot::Shape shape) {
+    auto* item = new LegendItem(this);
+    item->setChecked(shown);
+    item->setSwatch({}, shape);
+    connect(item, &LegendItem::toggled, this, [this, &shown](bool on) {
+        shown = on;
+        data_.makeStale();
+        chartChanged();
+    });
+    return item;
+}
+
+void PlotView::dressLegend(std::size_t number) {
+    const plot::CurveStyle& style = data_.curves[number].style;
+    if (number == legend_.size()) {
+        legend_.push_back(style.inLegend ? new LegendItem(this) : nullptr);
+        if (LegendItem* item = legend_.back()) {
+            item->setChecked(style.shown);
+            connect(item, &LegendItem::toggled, this,
+                    [this, number](bool on) { setCurveShown(static_cast<int>(number), on); });
+        }
+    }
+    if (LegendItem* item = legend_[number]) {
+        item->setName(style.name);
+        item->setAccessibleName(tr("Show %1").arg(style.name));
+        item->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
+                                                 : style.toolTip);
+        item->setSwatch(style.role, style.shape);
+    }
+}
+
+void PlotView::showReference(const Figure* figure, const QString& name) {
+    if (figure == nullptr) {
+        if (referenceData_ != nullptr) {
+            data_.reference = nullptr;
+            referenceData_.reset();
+            chartChanged();
+        }
+        return;
+    }
+    referenceData_ = std::make_unique<PlotData>();
+    referenceData_->show(*figure);
+    data_.reference = referenceData_.get();
+    data_.referenceName = name;
+    if (referenceItem_ == nullptr) {
+        referenceItem_ = addSwitch(data_.referenceShown, plot::Shape::Line);
+    }
+    constexpr int longest = 24;
+    referenceItem_->setName(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
+    referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
+    referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
+    showLegend();
+    chartChanged();
 }
 
 void PlotView::showLegend() {
@@ -330,6 +405,42 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         }
     }
     paintMoving(painter);
+}
+
+void PlotView::drawChart(QPainter& painter) {
+    layoutChart();
+    const auto cursor = std::exchange(data_.cursorX, std::nullopt);
+    const auto point = std::exchange(data_.pointRead, std::nullopt);
+    // A present value that goes where the cursor goes is the mouse's, too.
+    const auto present = data_.presentX;
+    if (isSignalConnected(QMetaMethod::fromSignal(&PlotView::cursorMoved))) {
+        data_.presentX.reset();
+    }
+    paintAxes(painter);
+    paintCurves(painter);
+    painter_->paintOverlay(painter);
+    paintTop(painter);
+    data_.cursorX = cursor;
+    data_.pointRead = point;
+    data_.presentX = present;
+    chartStale_ = true;
+}
+
+void PlotView::renderTo(QPainter& painter, const QRectF& target) {
+    painter.save();
+    painter.translate(target.topLeft());
+    painter.scale(target.width() / width(), target.height() / height());
+    drawChart(painter);
+    for (const LegendItem* item : shownLegend()) {
+        if (item->isChecked()) {
+            item->draw(painter, QRectF(item->geometry()));
+        }
+    }
+    painter.restore();
+}
+
+QString PlotView::dataAsCsv() const {
+    return csv(CsvFormat());
 }
 
 void PlotView::paintAxes(QPainter& painter) {

@@ -43,7 +43,7 @@ class PlotView : public QWidget {
     void setPresentX(std::optional<double> x) { overlay(data_.presentX, x, data_.presentX != x); }
     QString title() const { return data_.title; }
     /// What the plot shows, as text, for those who do not see it; made when it is asked for.
-    virtual QString sentence() const;
+    QString sentence() const { return data_.sentence(); }
     /// Dims the drawing, because newer data are being computed, with a text in the middle.
     void setFaded(bool faded, const QString& text = {});
     bool isFaded() const { return data_.faded; }
@@ -74,7 +74,7 @@ class PlotView : public QWidget {
         return data_.valueAt(data_.curve(curve), x);
     }
     /// The data of the shown curves as a table (PlotData::csv()).
-    virtual QString csv(const CsvFormat& format) const;
+    virtual QString csv(const CsvFormat& format) const { return data_.csv(format); }
     /// The same as the user's spreadsheet reads it.
     QString dataAsCsv() const;
     /// Draws title, legend, chart and marks onto any device; used for pictures, SVG, PDF and print.
@@ -125,7 +125,6 @@ class PlotView : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) final;
-    void focusInEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 
   private:
@@ -178,7 +177,6 @@ class PlotView : public QWidget {
     bool pickable_ = false;
     bool picking_ = false;
     std::optional<double> pickedFrom_;  ///< present value before the last click
-    bool wentTo_ = false;  ///< the focus came, when it last did, because the user went to it
     std::optional<QPointF> panFrom_;
 
     QImage axesPicture_;  ///< title, grid and axes, which rest while the curves move

@@ -41,7 +41,6 @@ bool PlotView::event(QEvent* event) {
 }
 
 void PlotView::mousePressEvent(QMouseEvent* event) {
-    wentTo_ = true;
     const bool inside = plotArea().contains(event->position());
     if (inside && pickable_ && event->button() == Qt::LeftButton &&
         !event->modifiers().testFlag(Qt::ShiftModifier)) {
@@ -130,12 +129,6 @@ void PlotView::leaveEvent(QEvent* /*event*/) {
     stopReading();
 }
 
-void PlotView::focusInEvent(QFocusEvent* event) {
-    const FocusWay way = focusWay(event->reason());
-    wentTo_ = way == FocusWay::went || (way == FocusWay::back && wentTo_);
-    QWidget::focusInEvent(event);
-}
-
 bool PlotView::scrollsWithin() const {
     for (const QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget()) {
         const auto* area = qobject_cast<const QAbstractScrollArea*>(above);
@@ -148,7 +141,7 @@ bool PlotView::scrollsWithin() const {
 
 void PlotView::wheelEvent(QWheelEvent* event) {
     // A page that is scrolled goes on where a plot comes under the pointer.
-    if (event->modifiers() == Qt::NoModifier && !(hasFocus() && wentTo_) && scrollsWithin()) {
+    if (event->modifiers() == Qt::NoModifier && !isWheelOf(this) && scrollsWithin()) {
         stopReading();  // the plot goes away from under the pointer
         event->ignore();
         return;

@@ -45,13 +45,9 @@ TEST_F(PlotSentence, NamesExtremesAndWhereTheyAre) {
     EXPECT_EQ(plot.sentence(), u"Over φ from 0.0 to 720.0°. No data."_s);
 }
 
-TEST_F(PlotSentence, SaysHowACurveGoes) {
-    for (const auto& [y, words] : std::vector<std::pair<std::vector<double>, QString>>{
-             {{1.0, 20.0, 300.0}, u"Mᵤₚ: rises from 1.0 at 0.0° to 300.0\u00A0N·m at 720.0°"_s},
-             {{300.0, 20.0, 20.0}, u"falls from"_s},
-             {{20.0, 20.0, 20.0}, u"constant"_s}}) {
-        EXPECT_TRUE(sentence(y).contains(words)) << plot.sentence().toStdString();
-    }
+TEST_F(PlotSentence, NamesWhatIsMarked) {
+    EXPECT_TRUE(sentence({20.0, 20.0, 20.0}).contains(u"Mᵤₚ: constant, 20."_s))
+        << plot.sentence().toStdString();
     figure.presentX = 90.0;
     figure.marks = {{90.0, 20.0, u"least\n20"_s}};
     EXPECT_TRUE(sentence({20.0, 20.0, 20.0}).endsWith(u"Marked: least, 20. Now at 90.0°."_s))

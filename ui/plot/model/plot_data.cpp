@@ -19,6 +19,8 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
     const std::size_t count = std::min(newX.size(), newY.size());
     std::size_t finite = 0;
     std::vector<std::size_t> newStarts;
+    std::vector<std::size_t> newPlaces;
+    newPlaces.reserve(count);
     bool left = false;  // the point before this one was left out
     for (std::size_t i = 0; i < count; ++i) {
         const bool there = xScale.holds(newX[i]) && yScale.holds(newY[i]);
@@ -28,12 +30,14 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
             }
             newX[finite] = newX[i];
             newY[finite] = newY[i];
+            newPlaces.push_back(i);
             ++finite;
         }
         left = !there;
     }
     newX.resize(finite);
     newY.resize(finite);
+    places = std::move(newPlaces);
     if (newX == x && newY == y && newStarts == starts) {
         return false;
     }
@@ -52,22 +56,6 @@ bool rests(const std::pair<double, double>& shown, const std::pair<double, doubl
     constexpr double enough = 0.6;
     return PlotData::steady && shown.first <= wanted.first && wanted.second <= shown.second &&
            wanted.second - wanted.first > enough * (shown.second - shown.first);
-}
-
-/// What is read of a point that is drawn, by its number among all that the figure has.
-std::function<QString(std::size_t)> textOf(const Figure::Curve& curve, const PlotCurve& drawn) {
-    if (!curve.text) {
-        return {};
-    }
-    return [all = std::pair(curve.x, curve.y), text = curve.text,
-            drawn = std::pair(drawn.x, drawn.y)](std::size_t point) {
-        for (std::size_t i = 0; i < all.first.size(); ++i) {
-            if (all.first[i] == drawn.first[point] && all.second[i] == drawn.second[point]) {
-                return text(i);
-            }
-        }
-        return QString();
-    };
 }
 
 }  // namespace
@@ -145,7 +133,7 @@ PlotData::Change PlotData::show(const Figure& figure) {
         showPoints(drawn, curve.x, curve.y);
         if (curve.text || drawn.text) {
             pointRead.reset();
-            drawn.text = textOf(curve, drawn);
+            drawn.text = curve.text;
         }
     }
     isOther |= std::exchange(bands, figure.bands) != figure.bands;

@@ -97,10 +97,11 @@ struct PlotCurve {
     std::vector<double> trueX = {};
     std::vector<double> trueY = {};
     std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
+    std::vector<std::size_t> places = {};  ///< of the points among those that the figure has
     std::vector<double> below = {};        ///< of the spread, from each point; or none
     std::vector<double> above = {};
-    /// Reads out a point, as lines; null without a text.
-    std::function<QString(std::size_t point)> text = {};
+    /// Reads out a point of the figure, as lines; null without a text.
+    std::function<QString(std::size_t place)> text = {};
     bool ascending = true;  ///< x never decreases, so the cursor may interpolate
     bool shown = true;
     bool inFigure = true;                   ///< else of one that was shown before
@@ -227,6 +228,9 @@ struct PlotData {
     /// has no point there. A curve back and forth in x has its own x beside it. The reference's
     /// curve is beside its curve under its name.
     QString csv(const CsvFormat& format) const;
+    /// The plot as text, curve by curve, with extremes and their places: "Over φ from 0 to 720 °.
+    /// Mᵤₚ: from −512 at 372 to 551 N·m at 12; …".
+    QString sentence() const;
 
   private:
     /// The x axis of a figure; where it is only extended, the zoomed section is kept.
