@@ -84,6 +84,7 @@ QByteArray themedSvg(const QString& path) {
     set("accent", theme.accent());
     set("warning", theme.warning());
     set("good", theme.good());
+    set("error", theme.error());
     for (const RoleLook& look : roleLooks()) {
         set(look.word, theme.colour(look.role));
     }

@@ -11,8 +11,8 @@ namespace ravnoves {
 QIcon themedIcon(const QString& name);
 
 /// A picture's SVG in the colours of the present theme: currentColor is the text's, and
-/// var(--panel), --grid, --muted, --accent, --warning, --good and the words of the roles are
-/// Theme's. Empty without such a file.
+/// var(--panel), --grid, --muted, --accent, --warning, --good, --error and the words of the roles
+/// are Theme's. Empty without such a file.
 QByteArray themedSvg(const QString& path);
 
 }  // namespace ravnoves

@@ -5,13 +5,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
 #include <QPushButton>
+#include <QSvgRenderer>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "text/message_text.h"
+#include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/answer_label.h"
 #include "widgets/apart.h"
@@ -23,69 +23,27 @@ namespace {
 
 constexpr int signSize = 18;
 
-/// A severity as it is shown; the strokes are those of its sign, in sixteenths of it.
+/// A severity as it is shown; the sign is a picture.
 struct Look {
     QColor (Theme::*colour)() const;
     const char* word;
-    QList<QLineF> strokes;
+    const char* sign;
 };
 
 const Look& lookOf(Severity severity) {
-    static const std::array<Look, 4> looks{
-        Look{&Theme::good,
-             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "OK"),
-             {{-3.5, 0.5, -1.0, 3.0}, {-1.0, 3.0, 3.5, -2.5}}},
-        Look{&Theme::accent,
-             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Note"),
-             {{0.0, -0.5, 0.0, 4.0}, {0.0, -4.0, 0.0, -4.0}}},
-        Look{&Theme::warning,
-             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Warning"),
-             {{0.0, -2.5, 0.0, 2.5}, {0.0, 5.8, 0.0, 5.8}}},
-        Look{&Theme::error,
-             QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Problem"),
-             {{-2.8, -2.8, 2.8, 2.8}, {-2.8, 2.8, 2.8, -2.8}}},
+    static constexpr std::array looks{
+        Look{&Theme::good, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "OK"), "good"},
+        Look{&Theme::accent, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Note"), "note"},
+        Look{&Theme::warning, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Warning"), "warning"},
+        Look{&Theme::error, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Problem"), "error"},
     };
     return looks.at(static_cast<std::size_t>(severity));
-}
-
-QColor colourOf(Severity severity) {
-    return (Theme::instance().*lookOf(severity).colour)();
-}
-
-QPainterPath outlineOf(const QRectF& square, Severity severity) {
-    QPainterPath outline;
-    if (severity == Severity::warning) {
-        const QPointF top(square.center().x(), square.top());
-        outline.addPolygon(QPolygonF{top, square.bottomRight(), square.bottomLeft(), top});
-    } else if (severity == Severity::error) {
-        QPolygonF octagon;
-        for (int i = 0; i < 8; ++i) {
-            const double angle = (i + 0.5) * M_PI_4;
-            octagon << square.center() +
-                           0.5 * square.width() * QPointF(std::cos(angle), std::sin(angle));
-        }
-        outline.addPolygon(octagon);
-    } else {
-        outline.addEllipse(square);
-    }
-    return outline;
 }
 
 }  // namespace
 
 QString severityName(Severity severity) {
     return VerdictLine::tr(lookOf(severity).word);
-}
-
-void paintSeverity(QPainter& painter, const QRectF& square, Severity severity) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillPath(outlineOf(square, severity), colourOf(severity));
-    const double unit = square.width() / 16.0;
-    const QPointF middle = square.center();
-    painter.setPen(QPen(Theme::instance().panel(), 2.0 * unit, Qt::SolidLine, Qt::RoundCap));
-    for (const QLineF& stroke : lookOf(severity).strokes) {
-        painter.drawLine(middle + unit * stroke.p1(), middle + unit * stroke.p2());
-    }
 }
 
 VerdictLine::VerdictLine(QWidget* parent)
@@ -161,11 +119,14 @@ void VerdictLine::dress() {
     sign.setDevicePixelRatio(devicePixelRatioF());
     sign.fill(Qt::transparent);
     QPainter painter(&sign);
-    paintSeverity(painter, QRectF(0.5, 0.5, size - 1.0, size - 1.0), severity_);
+    const QString picture = QStringLiteral(":/icons/verdict-%1.svg");
+    QSvgRenderer(themedSvg(picture.arg(QLatin1String(lookOf(severity_).sign))))
+        .render(&painter, QRectF(0.5, 0.5, size - 1.0, size - 1.0));
     painter.end();
     sign_->setPixmap(sign);
     QPalette colours = word_->palette();
-    colours.setColor(QPalette::WindowText, Theme::instance().readable(colourOf(severity_)));
+    const Theme& theme = Theme::instance();
+    colours.setColor(QPalette::WindowText, theme.readable((theme.*lookOf(severity_).colour)()));
     word_->setPalette(colours);
 }
 

@@ -46,7 +46,5 @@ class VerdictLine : public QWidget {
 
 /// The word of a severity, in the language of the program.
 QString severityName(Severity severity);
-/// Draws its sign: a tick, a dot, a triangle, a cross in an octagon.
-void paintSeverity(QPainter& painter, const QRectF& square, Severity severity);
 
 }  // namespace ravnoves
