@@ -7,7 +7,7 @@
 #include "balance-shaft/torque_source_editor.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
-#include "widgets/assumed.h"
+#include "widgets/form.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {

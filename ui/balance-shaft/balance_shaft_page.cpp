@@ -14,12 +14,12 @@
 #include "page/rejected_verdict.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/apart.h"
-#include "widgets/field_slider.h"
+#include "widgets/answer_label.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
+#include "widgets/value_slider.h"
 
 namespace ravnoves {
 

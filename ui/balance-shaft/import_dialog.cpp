@@ -20,7 +20,6 @@
 #include "text/number_text.h"
 #include "text/plain_title.h"
 #include "theme/theme.h"
-#include "widgets/dialog_size.h"
 #include "widgets/form_section.h"
 #include "widgets/job_progress.h"
 #include "widgets/layouts.h"

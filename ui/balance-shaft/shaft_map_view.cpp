@@ -17,7 +17,7 @@
 #include "numerics/units.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
-#include "widgets/apart.h"
+#include "widgets/answer_label.h"
 #include "widgets/form.h"
 #include "widgets/layouts.h"
 #include "widgets/number_field.h"

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "widgets/field_slider.h"
+#include "widgets/value_slider.h"
 
 class QComboBox;
 class QPushButton;

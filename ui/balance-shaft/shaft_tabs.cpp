@@ -16,10 +16,10 @@
 #include "page/part_views.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
-#include "widgets/assumed.h"
-#include "widgets/field_slider.h"
+#include "widgets/form.h"
 #include "widgets/layouts.h"
 #include "widgets/panel.h"
+#include "widgets/value_slider.h"
 
 namespace ravnoves {
 

@@ -22,7 +22,7 @@
 #include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/assumed.h"
+#include "widgets/form.h"
 #include "widgets/layouts.h"
 
 namespace ravnoves {

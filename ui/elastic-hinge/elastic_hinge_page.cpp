@@ -12,11 +12,11 @@
 #include "page/part_views.h"
 #include "page/rejected_verdict.h"
 #include "theme/theme.h"
-#include "widgets/field_slider.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "widgets/value_slider.h"
 
 namespace ravnoves {
 

@@ -10,7 +10,7 @@
 #include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/assumed.h"
+#include "widgets/form.h"
 
 namespace ravnoves {
 

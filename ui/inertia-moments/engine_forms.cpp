@@ -13,7 +13,7 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
-#include "widgets/field_slider.h"
+#include "widgets/value_slider.h"
 
 namespace ravnoves {
 

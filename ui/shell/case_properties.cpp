@@ -14,7 +14,7 @@
 
 #include "model/scene_model.h"
 #include "theme/theme.h"
-#include "widgets/dialog_size.h"
+#include "widgets/layouts.h"
 #include "widgets/text_length.h"
 
 namespace ravnoves {

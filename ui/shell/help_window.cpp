@@ -22,7 +22,6 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/dialog_size.h"
 #include "widgets/layouts.h"
 #include "widgets/text_length.h"
 

@@ -13,8 +13,8 @@
 #include "pictures/file_dialogs.h"
 #include "text/csv_format.h"
 #include "text/write_file.h"
-#include "widgets/dialog_size.h"
 #include "widgets/form_section.h"
+#include "widgets/layouts.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {

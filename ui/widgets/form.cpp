@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "case-file/decimal.h"
 #include "case-file/field.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
@@ -293,6 +294,17 @@ std::vector<std::string> Form::rejectedPlaces() const {
 bool Form::hasRejected() const {
     return std::ranges::any_of(findChildren<EntryField*>(),
                                [](const EntryField* field) { return !field->trouble().isEmpty(); });
+}
+
+void showAssumed(Form* form, NumberField* field, std::function<std::optional<double>()> value) {
+    form->follow([field, value = std::move(value), word = field->placeholderText()] {
+        const std::optional<double> assumed = value();
+        constexpr int digits = 4;
+        field->setPlaceholderText(assumed && std::isfinite(*assumed)
+                                      ? word + QChar::Nbsp +
+                                            field->textOf(rounded_to_digits(*assumed, digits))
+                                      : word);
+    });
 }
 
 }  // namespace ravnoves

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QMargins>
+#include <QScreen>
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
@@ -32,6 +33,13 @@ inline QHBoxLayout* rowIn(QWidget* widget, int spacing = Theme::space,
     row->setContentsMargins(margins);
     row->setSpacing(spacing);
     return row;
+}
+
+/// Gives a dialog its size at normal text, grown with the text within the screen.
+inline void resizeWithText(QWidget* dialog, int width, int height) {
+    constexpr QSize frame(20, 50);  // of the window, with its title
+    dialog->resize(QSize(Theme::withText(width), Theme::withText(height))
+                       .boundedTo(dialog->screen()->availableSize() - frame));
 }
 
 }  // namespace ravnoves

@@ -14,7 +14,6 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/answer_label.h"
-#include "widgets/apart.h"
 #include "widgets/layouts.h"
 
 namespace ravnoves {

@@ -16,7 +16,6 @@
 #include "shop/model/verdict.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
-#include "widgets/dialog_size.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/text_length.h"

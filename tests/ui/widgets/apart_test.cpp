@@ -1,4 +1,3 @@
-#include "widgets/apart.h"
 
 #include <gtest/gtest.h>
 
