@@ -26,7 +26,6 @@
 #include "text/text_width.h"
 #include "text/tip_text.h"
 #include "theme/theme.h"
-#include "widgets/wrapped_header.h"
 
 namespace ravnoves {
 
@@ -49,7 +48,85 @@ int smallHeight() {
     return QFontMetrics(smallFont()).height() - 1;
 }
 
+constexpr int minMargins = 6;  ///< pixels beside a heading
+int margins() {
+    return std::max(minMargins, Theme::withText(minMargins));
+}
+
+/// Where a heading may go on: no sign and no unit stands alone.
+QStringList wordsOf(const QString& heading) {
+    constexpr qsizetype alone = 3;  // letters at least
+    QStringList words;
+    bool isShort = false;  // the word before
+    for (const QString& word : heading.split(QLatin1Char(' '))) {
+        if (!words.isEmpty() && (isShort || word.size() < alone)) {
+            words.last() += QChar::Nbsp + word;
+        } else {
+            words << word;
+        }
+        isShort = word.size() < alone;
+    }
+    return words;
+}
+
 }  // namespace
+
+/// Headings of columns that wrap in a narrow column.
+class WrappedHeader final : public QHeaderView {
+  public:
+    explicit WrappedHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
+        setSectionsClickable(true);
+        setHighlightSections(false);
+        setTextElideMode(Qt::ElideNone);
+        connect(this, &QHeaderView::sectionResized, this, &WrappedHeader::fitLines);
+    }
+
+    /// The width of a heading: of its longest word, or of all words.
+    int widthOf(const QString& heading, bool wraps) const {
+        int width = 0;
+        for (const QString& part : wraps ? wordsOf(heading) : QStringList{heading}) {
+            width = std::max(width, fontMetrics().horizontalAdvance(part));
+        }
+        return width + margins() - minMargins;
+    }
+    /// Takes the height that the headings need now.
+    void fitLines() {
+        int height = fontMetrics().height();
+        for (int section = 0; section < count(); ++section) {
+            const QRect room(0, 0, sectionSize(section) - margins(), QWIDGETSIZE_MAX);
+            if (!isSectionHidden(section) && !room.isEmpty()) {
+                const QRect text =
+                    fontMetrics().boundingRect(room, Qt::TextWordWrap, textOf(section));
+                height = std::max(height, text.height());
+            }
+        }
+        if (std::exchange(height_, height) != height) {
+            // The table lays itself out again, which no section that is being resized may wait for.
+            QMetaObject::invokeMethod(this, &QHeaderView::geometriesChanged, Qt::QueuedConnection);
+        }
+    }
+    QSize sizeHint() const override {
+        const QSize oneLine = QHeaderView::sizeHint();
+        const int height = fontMetrics().height();
+        return {oneLine.width(), oneLine.height() + std::max(height_, height) - height};
+    }
+
+  protected:
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int section) const override {
+        QHeaderView::initStyleOptionForIndex(option, section);
+        option->text = textOf(section);
+        option->textAlignment =
+            Qt::Alignment::fromInt(option->textAlignment.toInt() | Qt::TextWordWrap);
+    }
+
+  private:
+    QString textOf(int section) const {
+        const QString heading = model()->headerData(section, Qt::Horizontal).toString();
+        return wordsOf(heading).join(QLatin1Char(' '));
+    }
+
+    int height_ = 0;  ///< of the lines that its place has room for
+};
 
 /// Its tip is what its row and its column mean, unless it was given another.
 class ResultItem final : public QTableWidgetItem {
