@@ -12,7 +12,7 @@
 #include "balance-shaft/shaft_map_drawing.h"
 #include "model/reference_case.h"
 #include "numerics/units.h"
-#include "pictures/picture_file.h"
+#include "pictures/figure.h"
 #include "plot/plot_painter.h"
 #include "text/number_text.h"
 #include "theme/theme.h"

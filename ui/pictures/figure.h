@@ -1,10 +1,14 @@
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QRectF>
+#include <QSize>
 #include <QString>
 #include <functional>
 #include <utility>
+
+#include "pictures/file_dialogs.h"
 
 class QPainter;
 class QWidget;
@@ -63,5 +67,24 @@ bool isEmptyFigure(const QWidget* widget);
 
 /// Draws a widget that paints itself, without those in it.
 void drawFigure(QWidget* figure, QPainter& painter, const QRectF& target);
+
+/// Draws a picture; `scale` is its pixels per unit of size.
+using DrawPicture = std::function<void(QPainter& painter, double scale)>;
+
+/// Writes what `draw` draws as PNG, SVG or PDF, by the file's ending; another one is rejected. A
+/// PNG prints, with 300 dots to the inch, as large as a screen with 96 shows it.
+/// @return an empty string, or what went wrong
+QString writePicture(const QString& path, const QSize& size, const QString& title,
+                     const DrawPicture& draw);
+
+/// Prompts for a place to save; `write` writes there.
+/// @param others  formats beside the pictures'
+void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
+                           const QList<FileFormat>& others,
+                           const std::function<QString(const QString& path)>& write);
+
+/// True where a widget that paints itself is not on the screen but in a drawing, which takes lines
+/// and text rather than pixels, or in a picture that is larger than it.
+bool drawsForFile(const QPainter& painter, const QWidget& widget);
 
 }  // namespace ravnoves

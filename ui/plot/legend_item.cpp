@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "plot/painter_parts.h"
+#include "plot/plot_painter.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 

@@ -8,7 +8,6 @@
 #include "pictures/model/stroke.h"
 #include "plot/model/label_places.h"
 #include "plot/model/ticks.h"
-#include "plot/painter_parts.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 

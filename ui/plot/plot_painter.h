@@ -1,15 +1,17 @@
 #pragma once
 
-#include <QFont>
+#include <QColor>
+#include <QFontMetricsF>
 #include <QLineF>
+#include <QPainter>
 #include <array>
+#include <cmath>
 #include <optional>
 
+#include "pictures/model/shape.h"
 #include "plot/model/plot_data.h"
-
-class QPainter;
-class QPen;
-class QBrush;
+#include "text/text_width.h"
+#include "theme/theme.h"
 
 namespace ravnoves {
 
@@ -110,3 +112,61 @@ class PlotPainter {
 };
 
 }  // namespace ravnoves
+
+/// What several parts of a plot are drawn with; sizes in pixels.
+namespace ravnoves::painter_parts {
+
+/// From a label to its subject, for text of the designed size.
+inline double labelGap() {
+    return Theme::withText(6);
+}
+/// A tick of an axis with labels of our own: powers are taller.
+inline double rowPerTick() {
+    return Theme::withText(36);
+}
+
+inline void dot(QPainter& painter, const QPointF& at, double radius, const QPen& pen,
+                const QBrush& fill) {
+    painter.setPen(pen);
+    painter.setBrush(fill);
+    paintDisc(painter, at, radius);
+}
+
+/// A point in the shape that tells its role from others without colours.
+void paintMarker(QPainter& painter, Marker marker, const QPointF& at, double radius,
+                 const QPen& pen, const QBrush& fill);
+
+/// Bars whose role has no solid line are translucent with an edge.
+struct BarFill {
+    explicit BarFill(Role role);
+
+    QPen edge = Qt::NoPen;
+    QBrush inside;
+};
+
+/// Of the markers of points; rings leave room for a dot in them.
+inline double pointRadius(plot::Shape shape) {
+    return strokeScale() * (shape == plot::Shape::Rings ? 5.4 : 3.6);
+}
+
+inline QColor veil(QColor colour, float opacity) {
+    colour.setAlphaF(opacity);
+    return colour;
+}
+
+/// A label on a ground of its own, over whatever is drawn there.
+inline void drawLabel(QPainter& painter, const QRectF& box, const QColor& ink, const QString& text,
+                      int flags = Qt::AlignCenter) {
+    painter.fillRect(box.toAlignedRect(), veil(Theme::instance().panel(), 0.92F));
+    painter.setPen(ink);
+    painter.drawText(box.adjusted(1, 0, -1, 0), flags | Qt::TextDontClip, text);
+}
+
+inline constexpr double besideLabel = 3.0;  ///< of a label's ground left and right of the text
+
+inline QSizeF labelSize(const QFont& font, const QString& text) {
+    return {std::ceil(textWidth(font, text)) + 2.0 * besideLabel,
+            QFontMetricsF(font).height() + 1.0};
+}
+
+}  // namespace ravnoves::painter_parts

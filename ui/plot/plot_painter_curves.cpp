@@ -6,7 +6,6 @@
 
 #include "numerics/constants.h"
 #include "pictures/model/stroke.h"
-#include "plot/painter_parts.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "plot/model/label_places.h"
-#include "plot/painter_parts.h"
 #include "plot/plot_painter.h"
 #include "text/number_text.h"
 #include "theme/theme.h"

@@ -22,7 +22,6 @@
 #include "events.h"
 #include "files.h"
 #include "pictures/figure.h"
-#include "pictures/picture_file.h"
 #include "plot/plot_view.h"
 #include "text/csv_format.h"
 

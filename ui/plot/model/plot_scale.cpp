@@ -146,10 +146,15 @@ QString PlotScale::tickText(double value, const QLocale& locale) const {
     if (spec.logarithmic) {
         return spec.label != nullptr ? spec.label(number(value)) : powerText(number(value), locale);
     }
-    const TickFormat format = tickFormat(number(low), number(high), step);
     // What is far less than a step is the rounding of 0.
     const double shown = std::abs(number(value)) < 1e-6 * step ? 0.0 : number(value);
-    return trueMinus(locale.toString(shown, format.letter, format.digits));
+    constexpr double longest = 1e9;
+    const double size = std::max(std::abs(number(low)), std::abs(number(high)));
+    if (size < longest) {
+        return trueMinus(locale.toString(shown, 'f', tickDecimals(step)));
+    }
+    const double digits = 1.0 + std::floor(std::log10(size)) - std::floor(std::log10(step));
+    return trueMinus(locale.toString(shown, 'e', static_cast<int>(std::clamp(digits, 1.0, 10.0))));
 }
 
 QString PlotScale::readout(double value, const QLocale& locale) const {

@@ -76,16 +76,6 @@ int tickDecimals(double step) {
     return 12;
 }
 
-TickFormat tickFormat(double low, double high, double step) {
-    constexpr double longest = 1e9;
-    const double size = std::max(std::abs(low), std::abs(high));
-    if (size < longest) {
-        return {'f', tickDecimals(step)};
-    }
-    const double digits = std::floor(std::log10(size)) - std::floor(std::log10(step));
-    return {'e', static_cast<int>(std::clamp(digits + 1.0, 1.0, 10.0))};
-}
-
 std::vector<double> logarithmicTicks(double low, double high, int wanted) {
     constexpr double rounding = 1e-9;
     const int first = static_cast<int>(std::ceil(std::log10(low) - rounding));

@@ -24,13 +24,6 @@ std::pair<double, double> niceInterval(double min, double max, int wanted);
 /// Decimals that a tick label needs to tell neighbouring ticks apart.
 int tickDecimals(double step);
 
-/// How the labels of an axis are written: 'f' with decimals, or 'e' where they would be long.
-struct TickFormat {
-    char letter = 'f';
-    int digits = 0;
-};
-TickFormat tickFormat(double low, double high, double step);
-
 /// Ticks of a logarithmic axis, about `wanted` at most: at whole decades; with few decades also 2
 /// and 5 of each; within one decade as on a linear axis.
 /// @param low, high  0 < low < high
