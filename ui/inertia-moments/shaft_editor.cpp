@@ -91,7 +91,7 @@ class ShaftRow : public QWidget {
     void addChoice(QHBoxLayout* line, const Field& field) {
         auto* box = new QComboBox(this);
         for (const Word& word : field.words) {
-            box->addItem(shownText(word.label));
+            box->addItem(shownText(word.label), box->count());
         }
         name(box, field, "shaft_choice_%1");
         form_->bind(box, pointer(field));

@@ -170,21 +170,33 @@ void Form::bind(QComboBox* box, std::function<int()> read, std::function<void(in
     follow(show);
 }
 
-void Form::bind(QComboBox* box, const std::string& pointer) {
+void Form::bind(QComboBox* box, const std::string& pointer, TroubleLine* trouble, Choose write) {
     const FieldEntry entry = entryOf(pointer);
+    if (!write) {
+        write = [this, place = entry.pointer, name = fieldName(entry.field)](int value) {
+            return model_->editField(place, value, name);
+        };
+    }
     connect(box, &QComboBox::activated, this,
-            [this, place = entry.pointer, name = fieldName(entry.field)](int index) {
-                if (!model_->editField(place, index, name).isEmpty()) {
-                    showAll();
+            [this, box, trouble, write = std::move(write)](int index) {
+                const QString why = write(box->itemData(index).toInt());
+                if (!why.isEmpty()) {
+                    showAll();  // the choice goes back
+                }
+                if (trouble != nullptr) {
+                    trouble->say(why);
                 }
             });
-    add(pointer, box, [box](const FieldValue& value) {
+    add(pointer, box, [box, trouble](const FieldValue& value) {
         const int* present = std::get_if<int>(&value);
-        box->setCurrentIndex(present != nullptr ? *present : -1);
+        box->setCurrentIndex(present != nullptr ? box->findData(*present) : -1);
+        if (trouble != nullptr) {
+            trouble->say({});
+        }
     });
 }
 
-QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) {
+QComboBox* Form::choice(const char* pointer, Choose write) {
     const FieldEntry entry = model_->describedField(pointer);
     auto* box = new QComboBox(current_);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -197,24 +209,7 @@ QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) 
     auto* trouble = new TroubleLine(current_);
     trouble->setObjectName(box->objectName() + QStringLiteral("Rejected"));
     current_->addWide(trouble);
-    if (!write) {
-        write = [this, place = entry.pointer, name = fieldName(entry.field)](int value) {
-            return model_->editField(place, value, name);
-        };
-    }
-    connect(box, &QComboBox::activated, this,
-            [this, box, trouble, write = std::move(write)](int index) {
-                const QString why = write(box->itemData(index).toInt());
-                if (!why.isEmpty()) {
-                    showAll();  // the choice goes back
-                }
-                trouble->say(why);
-            });
-    add(pointer, box, [box, trouble](const FieldValue& value) {
-        const int* present = std::get_if<int>(&value);
-        box->setCurrentIndex(present != nullptr ? box->findData(*present) : -1);
-        trouble->say({});
-    });
+    bind(box, pointer, trouble, std::move(write));
     return box;
 }
 

@@ -41,7 +41,8 @@ class Form : public QWidget {
     /// is under it.
     /// @param write  for more than setting the field: takes the word's place (or the number) and
     ///               returns as SceneModel::editField()
-    QComboBox* choice(const char* pointer, std::function<QString(int)> write = {});
+    using Choose = std::function<QString(int)>;
+    QComboBox* choice(const char* pointer, Choose write = {});
     /// A row for yes or no; returns the box to tick.
     QWidget* flag(const char* pointer);
     /// A row for a text.
@@ -62,7 +63,9 @@ class Form : public QWidget {
     // The same for a field outside of the rows, for example in a grid. It may be destroyed before
     // the form.
     void bind(NumberField* field, const std::string& pointer);
-    void bind(QComboBox* box, const std::string& pointer);
+    /// The data of the box's items are the values; `trouble` may be null.
+    void bind(QComboBox* box, const std::string& pointer, TroubleLine* trouble = nullptr,
+              Choose write = {});
     void bind(NumberField* field, const Field& description, Read read, Write write);
     /// Of a number in the field's unit.
     void bind(NumberField* field, Read read, Write write);

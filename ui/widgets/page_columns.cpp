@@ -101,43 +101,36 @@ void PageColumns::placeTop(bool overAll) {
 
 void PageColumns::arrange() {
     const Fold fold = foldFor(width());
-    if (fold == fold_) {
+    if (std::exchange(fold_, fold) == fold) {
         return;
     }
-    const Fold was = std::exchange(fold_, fold);
     const bool folds = fold != Fold::None;
-    if ((was != Fold::None) != folds) {
-        foldPart(results_, tr("Results"), 2, folds ? 0 : parts_.resultShare);
-        results_->setMinimumWidth(folds ? 0 : resultsWidth_);
-        results_->setMaximumWidth(folds ? QWIDGETSIZE_MAX : resultsMax_);
+    place(results_, tr("Results"), 2, folds ? 0 : parts_.resultShare);
+    results_->setMinimumWidth(folds ? 0 : resultsWidth_);
+    results_->setMaximumWidth(folds ? QWIDGETSIZE_MAX : resultsMax_);
+    const bool isAlone = fold == Fold::Plots;
+    if (parts_.plots != nullptr) {
+        place(parts_.plots, tr("Plots"), 1, isAlone ? 0 : plotShare);
     }
-    if ((was == Fold::Plots) != (fold == Fold::Plots)) {
-        foldInputs(fold == Fold::Plots);
+    parts_.inputs->setMaximumWidth(isAlone ? QWIDGETSIZE_MAX : inputsMax_);
+    if (inputsAlone_ < inputsMin_) {
+        parts_.inputs->setMinimumWidth(isAlone ? inputsAlone_ : inputsMin_);
     }
-    placeTop(fold == Fold::Plots);
+    grid_->setColumnStretch(0, isAlone ? 1 : 0);
+    placeTop(isAlone);
 }
 
-void PageColumns::foldPart(QWidget* part, const QString& title, int column, int share) {
-    if (share == 0) {
+void PageColumns::place(QWidget* part, const QString& title, int column, int share) {
+    const int tab = parts_.tabs->indexOf(part);
+    if (share == 0 && tab < 0) {
         grid_->removeWidget(part);
         parts_.tabs->addTab(part, title);
-    } else {
-        parts_.tabs->removeTab(parts_.tabs->indexOf(part));
+    } else if (share > 0 && tab >= 0) {
+        parts_.tabs->removeTab(tab);
         grid_->addWidget(part, 1, column);
         part->show();
     }
     grid_->setColumnStretch(column, share);
-}
-
-void PageColumns::foldInputs(bool alone) {
-    parts_.inputs->setMaximumWidth(alone ? QWIDGETSIZE_MAX : inputsMax_);
-    if (inputsAlone_ < inputsMin_) {
-        parts_.inputs->setMinimumWidth(alone ? inputsAlone_ : inputsMin_);
-    }
-    grid_->setColumnStretch(0, alone ? 1 : 0);
-    if (parts_.plots != nullptr) {
-        foldPart(parts_.plots, tr("Plots"), 1, alone ? 0 : plotShare);
-    }
 }
 
 void PageColumns::resizeEvent(QResizeEvent* event) {

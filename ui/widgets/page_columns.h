@@ -46,9 +46,7 @@ class PageColumns : public QWidget {
     void arrange();
     Fold foldFor(int width) const;
     /// @param share  of its column in the grid; 0: it is a tab
-    void foldPart(QWidget* part, const QString& title, int column, int share);
-    /// @param alone  without plots beside them
-    void foldInputs(bool alone);
+    void place(QWidget* part, const QString& title, int column, int share);
     void placeTop(bool overAll);
 
     Parts parts_;
