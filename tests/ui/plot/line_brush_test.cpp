@@ -1,4 +1,4 @@
-#include "pictures/model/line_brush.h"
+#include "pictures/model/stroke.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,6 @@
 #include "difference.h"
 #include "events.h"
 #include "pictures/model/shape.h"
-#include "pictures/model/stroke.h"
 
 namespace ravnoves {
 namespace {
@@ -68,23 +67,22 @@ QImage onPaper(const QPen& pen, const QBrush& brush, Draw&& draw, double scale =
 }
 
 QImage byBrush(const QPolygonF& line, double width, Qt::PenStyle style) {
-    QImage image = paper();
-    QList<qreal> dashes = QPen(Qt::black, width, style).dashPattern();
-    for (qreal& part : dashes) {
-        part *= width;
-    }
-    LineBrush(image, image.rect()).draw({line}, Qt::black, width, dashes);
-    return image;
+    return onPaper(QPen(Qt::black, width, style, Qt::FlatCap), Qt::NoBrush,
+                   [&](QPainter& painter) { paintLine(painter, line); });
 }
 
 TEST(LineBrush, AClipShowsItsPartOfTheWholeHoweverNarrow) {
     for (const QColor& colour : {QColor(20, 90, 160), QColor(20, 90, 160, 120)}) {
         const auto drawn = [&](const QRect& clip) {
-            QImage image = paper();
-            LineBrush brush(image, clip);
-            brush.draw({wave()}, colour, 2.2);
-            brush.draw({wave()}, Qt::red, 4.0, {16.0, 8.0});
-            return image;
+            return onPaper([&](QPainter& painter) {
+                QPen dashed(Qt::red, 4.0, Qt::CustomDashLine, Qt::FlatCap);
+                dashed.setDashPattern({4.0, 2.0});
+                painter.setClipRect(clip);
+                painter.setPen(QPen(colour, 2.2, Qt::SolidLine, Qt::FlatCap));
+                paintLine(painter, wave());
+                painter.setPen(dashed);
+                paintLine(painter, wave());
+            });
         };
         const QImage whole = drawn(paper().rect());
         for (int width = 1; width < 20; ++width) {

@@ -9,8 +9,8 @@ class QPainterPath;
 
 namespace ravnoves {
 
-/// Draws a polyline with the painter's pen. Onto a screen by LineBrush, where the pen is no
-/// narrower than a pixel: Qt's stroker takes longer. Anywhere else, and with round ends, it is a
+/// Draws a polyline with the painter's pen. Onto a screen by a brush of our own, where the pen is
+/// no narrower than a pixel: Qt's stroker takes longer. Anywhere else, and with round ends, it is a
 /// polyline of Qt's.
 void paintLine(QPainter& painter, const QPolygonF& line);
 inline void paintLine(QPainter& painter, const QPointF& from, const QPointF& to) {
