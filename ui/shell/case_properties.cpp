@@ -14,8 +14,8 @@
 
 #include "model/scene_model.h"
 #include "theme/theme.h"
+#include "widgets/entry_field.h"
 #include "widgets/layouts.h"
-#include "widgets/text_length.h"
 
 namespace ravnoves {
 

@@ -22,8 +22,8 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/entry_field.h"
 #include "widgets/layouts.h"
-#include "widgets/text_length.h"
 
 namespace ravnoves {
 

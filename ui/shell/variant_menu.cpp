@@ -7,7 +7,7 @@
 #include "page/scene_page.h"
 #include "shell/variant_table.h"
 #include "theme/icons.h"
-#include "widgets/text_length.h"
+#include "widgets/entry_field.h"
 
 namespace ravnoves {
 

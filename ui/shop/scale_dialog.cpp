@@ -15,8 +15,8 @@
 #include "text/number_text.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
+#include "widgets/entry_field.h"
 #include "widgets/form_section.h"
-#include "widgets/text_length.h"
 
 namespace ravnoves {
 

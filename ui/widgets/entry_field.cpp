@@ -2,6 +2,7 @@
 
 #include <QFocusEvent>
 #include <QHelpEvent>
+#include <QInputDialog>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -11,7 +12,6 @@
 
 #include "text/tip_text.h"
 #include "theme/theme.h"
-#include "widgets/text_length.h"
 
 namespace ravnoves {
 
@@ -253,6 +253,31 @@ void EntryField::paintEvent(QPaintEvent* event) {
         painter.setPen(QPen(trouble_.isEmpty() ? theme.warning() : theme.error(), 2.0));
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
     }
+}
+
+QString cutText(int longest) {
+    return EntryField::tr("Cut: at most %1 characters.").arg(longest);
+}
+
+void limitLength(QLineEdit* field, int longest) {
+    field->setMaxLength(std::max(longest, static_cast<int>(field->text().size())));
+    QObject::connect(field, &QLineEdit::inputRejected, field, [field] {
+        QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())),
+                           cutText(field->maxLength()), field);
+    });
+}
+
+std::optional<QString> askName(QWidget* parent, const QString& title, const QString& label,
+                               const QString& name) {
+    QInputDialog dialog(parent);
+    dialog.setWindowTitle(title);
+    dialog.setLabelText(label);
+    dialog.setTextValue(name);
+    constexpr int longest = 200;
+    if (auto* field = dialog.findChild<QLineEdit*>()) {
+        limitLength(field, longest);
+    }
+    return dialog.exec() == QDialog::Accepted ? std::optional(dialog.textValue()) : std::nullopt;
 }
 
 }  // namespace ravnoves

@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QPointer>
+#include <optional>
 #include <utility>
 
 #include "model/scene_model.h"
@@ -223,5 +224,17 @@ class ValueEntry : public EntryField {
     Value kept_{};          ///< from before the editing
     bool isTaken_ = false;  ///< another value than that has been passed on, and was not rejected
 };
+
+/// Limits a field of text to that many characters, or to its present length; where a paste is cut,
+/// a tip shows it.
+void limitLength(QLineEdit* field, int longest);
+
+/// "Cut: at most 80 characters."
+QString cutText(int longest);
+
+/// Prompts for a name of at most 200 characters.
+/// @return empty after Cancel
+std::optional<QString> askName(QWidget* parent, const QString& title, const QString& label,
+                               const QString& name);
 
 }  // namespace ravnoves

@@ -16,9 +16,9 @@
 #include "shop/model/verdict.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
+#include "widgets/entry_field.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
-#include "widgets/text_length.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/workshop_sheet.h"
 

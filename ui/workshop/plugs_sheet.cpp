@@ -1,7 +1,7 @@
 #include "case-file/input_error.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
-#include "widgets/text_length.h"
+#include "widgets/entry_field.h"
 #include "workshop/plugs/model/v8_text.h"
 #include "workshop/sheets.h"
 
