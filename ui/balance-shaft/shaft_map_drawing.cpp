@@ -167,8 +167,8 @@ void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlotVie
     painter.setBrush(Qt::NoBrush);
     drawCircle(painter, crank, frame.length(sizes.crank_swing_radius));
     const double thick = std::clamp(0.3 * sizes.crank_radius * k, 4.0, 14.0);
-    drawing::drawBar(painter, pin, piston, 0.6 * thick, metal, line);
-    drawing::drawBar(painter, crank, pin, thick, metal, line);
+    drawing::drawRod(painter, pin, piston, 0.6 * thick, metal, line);
+    drawing::drawRod(painter, crank, pin, thick, metal, line);
     painter.setPen(QPen(line, 1.1));
     painter.setBrush(theme.panel());
     for (const QPointF& joint : {crank, pin, piston}) {

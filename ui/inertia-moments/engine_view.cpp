@@ -269,13 +269,13 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         paintPolygon(painter, pistonOf(pose, radius, frame));
         const QPointF pin = frame.at(pose.rod_foot);
         const QPointF piston = frame.at(pose.piston_pin);
-        drawing::drawBar(painter, pin, piston, thick, body, theme.text());
+        drawing::drawRod(painter, pin, piston, thick, body, theme.text());
         paintDisc(painter, piston, 0.5 * thick);
     }
     // The big ends of master rods reach to the knuckle pins.
     for (const CylinderPose& pose : poses) {
         if (pose.articulated) {
-            drawing::drawBar(painter, frame.at(pose.crankpin), frame.at(pose.rod_foot), thick,
+            drawing::drawRod(painter, frame.at(pose.crankpin), frame.at(pose.rod_foot), thick,
                              drawing::metal(), theme.text());
             painter.setPen(QPen(theme.text(), 1.0));
             painter.setBrush(theme.panel());
@@ -284,7 +284,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     }
     // The crank star over all.
     for (const CylinderPose& pose : poses) {
-        drawing::drawBar(painter, crankPixel_, frame.at(pose.crankpin), thick, drawing::metal(),
+        drawing::drawRod(painter, crankPixel_, frame.at(pose.crankpin), thick, drawing::metal(),
                          theme.text());
     }
     painter.setPen(QPen(theme.text(), 1.0));

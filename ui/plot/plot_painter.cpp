@@ -63,12 +63,11 @@ PlotTitle::PlotTitle(const QString& title, double width) {
 PlotPainter::PlotPainter(PlotData& data) : data_(data) {}
 
 void PlotPainter::layout(const QSizeF& size, const Margins& minimum, bool& axesStale) {
-    const bool resized = laidOut_ != size;
-    laidOut_ = size;
     layoutArea(size, minimum);
-    const std::array placed{data_.area.x(), data_.area.y(), data_.area.width(), data_.area.height(),
-                            data_.x.low,    data_.x.high,   data_.left.low,     data_.left.high};
-    if (placed != placed_ || resized) {
+    const std::array placed{data_.area.x(),     data_.area.y(),      size.width(), size.height(),
+                            data_.area.width(), data_.area.height(), data_.x.low,  data_.x.high,
+                            data_.left.low,     data_.left.high};
+    if (placed != placed_) {
         placed_ = placed;
         axesStale = true;
         data_.makeStale();

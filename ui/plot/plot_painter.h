@@ -107,8 +107,7 @@ class PlotPainter {
 
     PlotData& data_;
     QSizeF size_;
-    QSizeF laidOut_;
-    std::array<double, 8> placed_{};  ///< area and scales of the lines made last
+    std::array<double, 10> placed_{};  ///< sizes and scales of the lines made last
 };
 
 }  // namespace ravnoves

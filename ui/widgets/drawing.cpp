@@ -44,19 +44,6 @@ QLineF pulledInside(const QLineF& arrow, const QRectF& inside) {
     return arrow.translated(-over * d);
 }
 
-void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
-             const QColor& fill, const QColor& line) {
-    const QPointF d = to - from;
-    const double length = std::hypot(d.x(), d.y());
-    if (length < 1e-6) {
-        return;
-    }
-    const QPointF across = QPointF(-d.y(), d.x()) * (0.5 * width / length);
-    painter.setPen(QPen(line, 1.0));
-    painter.setBrush(fill);
-    paintPolygon(painter, {from + across, to + across, to - across, from - across});
-}
-
 void drawRod(QPainter& painter, const QPointF& from, const QPointF& to, double width,
              const QColor& fill, const QColor& line) {
     constexpr double edge = 1.2;  // pixels, around the width

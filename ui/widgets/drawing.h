@@ -34,12 +34,8 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const 
 /// An arrow moved back along its line until its tip is inside: a force acts along its line.
 QLineF pulledInside(const QLineF& arrow, const QRectF& inside);
 
-/// A straight bar of metal (rod, crank web) between two points; its ends are left to the joints.
-/// A polygon with a thin outline: wide round pens cost a page its frame.
-void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
-             const QColor& fill, const QColor& line);
-
-/// The same with round ends, wider by its outline.
+/// A straight bar of metal (rod, crank web) about two points, with round ends; its outline is
+/// around the width.
 void drawRod(QPainter& painter, const QPointF& from, const QPointF& to, double width,
              const QColor& fill, const QColor& line);
 

@@ -285,9 +285,8 @@ void PlotData::endWithData() {
 }
 
 void PlotData::equalise() {
-    if (zoomed) {
-        std::tie(x.low, x.high) = sectionX_;
-        std::tie(left.low, left.high) = sectionLeft_;
+    for (PlotScale* scale : {&x, &left}) {
+        std::tie(scale->low, scale->high) = zoomed ? scale->section : scale->interval();
     }
     const double perX = (x.high - x.low) / area.width();
     const double perY = (left.high - left.low) / area.height();
@@ -306,11 +305,6 @@ void PlotData::keepHome() {
     }
 }
 
-void PlotData::keepSection() {
-    sectionX_ = x.interval();
-    sectionLeft_ = left.interval();
-}
-
 void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
     if (area.isEmpty()) {
         return;
@@ -322,7 +316,6 @@ void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
     x.zoom(factorX, std::clamp((about.x() - area.left()) / area.width(), 0.0, 1.0));
     left.zoom(factorY, std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0));
     zoomed = !(x.isHome() && left.isHome());
-    keepSection();
 }
 
 void PlotData::pan(const QPointF& pixels) {
@@ -330,7 +323,6 @@ void PlotData::pan(const QPointF& pixels) {
     zoomed = true;
     x.shift(-pixels.x() / area.width());
     left.shift(pixels.y() / area.height());
-    keepSection();
 }
 
 void PlotData::makeStale() {

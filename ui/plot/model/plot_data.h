@@ -237,11 +237,7 @@ struct PlotData {
     bool showX(const plot::Axis& axis);
     bool showY(const plot::Axis& axis, const std::optional<std::pair<double, double>>& range);
     void keepHome();
-    void keepSection();
     std::vector<QPolygonF> shadesOf(const PlotCurve& curve) const;
-
-    std::pair<double, double> sectionX_;  ///< the zoomed section
-    std::pair<double, double> sectionLeft_;
 };
 
 }  // namespace ravnoves

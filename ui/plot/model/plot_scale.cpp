@@ -83,10 +83,12 @@ void PlotScale::zoom(double factor, double about) {
         const bool isFar = factor > 1.0 && scaled(to) - scaled(from) >= room * (1.0 - 1e-9);
         std::tie(low, high) = isFar ? home : std::pair(from, to);
     }
+    section = interval();
 }
 
 void PlotScale::shift(double by) {
-    std::tie(low, high) = std::pair(value(by), value(1.0 + by));
+    section = {value(by), value(1.0 + by)};
+    std::tie(low, high) = section;
 }
 
 void PlotScale::widen(double span) {
@@ -95,25 +97,18 @@ void PlotScale::widen(double span) {
     high = middle + 0.5 * span;
 }
 
-void PlotScale::chooseStep(double pixels, double pixelsPerTick) {
-    step =
-        readableStep(number(low), number(high), ticksThatFit(pixels, pixelsPerTick), spec.degrees);
-}
-
 void PlotScale::chooseStep(double pixels, double pixelsPerTick,
                            const std::function<double(const QString&)>& width,
                            const QLocale& locale) {
     constexpr int attempts = 4;
     constexpr double apart = 8.0;  // pixels between labels
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        chooseStep(pixels, pixelsPerTick);
-        if (spec.logarithmic) {
-            return;  // what has no room is left out
+        step = readableStep(number(low), number(high), ticksThatFit(pixels, pixelsPerTick),
+                            spec.degrees);
+        if (!width || spec.logarithmic) {  // what has no room there is left out
+            return;
         }
-        double widest = 0.0;
-        for (const double end : {low, high}) {
-            widest = std::max(widest, width(tickText(end, locale)));
-        }
+        const double widest = std::max(width(tickText(low, locale)), width(tickText(high, locale)));
         const double spacing = pixels * step / (number(high) - number(low));
         if (!(spacing < widest + apart)) {
             return;

@@ -38,6 +38,7 @@ struct PlotScale {
     std::optional<std::pair<double, double>> fixed = {};  ///< what fit() keeps to
     /// The interval before the user zoomed; the limit of zooming out.
     std::pair<double, double> home = {0.0, 1.0};
+    std::pair<double, double> section = {0.0, 1.0};  ///< that the user zoomed to
     double step = 1.0;  ///< between ticks of a linear axis, in numbers shown
 
     /// Adopts what the axis is to be, in the units that the user wants.
@@ -83,11 +84,10 @@ struct PlotScale {
     void widen(double span);
 
     /// Chooses `step` for an axis of that many pixels, and its decimals with it.
-    void chooseStep(double pixels, double pixelsPerTick);
-    /// The same for labels beside one another, the widest of `widest` pixels.
+    /// @param width  of labels that are beside one another; null: they are not
     void chooseStep(double pixels, double pixelsPerTick,
-                    const std::function<double(const QString& label)>& width,
-                    const QLocale& locale);
+                    const std::function<double(const QString& label)>& width = {},
+                    const QLocale& locale = {});
     /// Values that get a tick: multiples of `step`, of a logarithmic axis decades or parts of them.
     std::vector<double> ticks(double pixels, double pixelsPerTick) const;
     QString tickText(double value, const QLocale& locale) const;
