@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,17 +15,7 @@ namespace ravnoves {
 /// the curves, a sample of the tolerances, or a picture of a report. What the user does to a plot,
 /// zoom and legend, is the plot's and continues with the curve's word.
 struct Figure {
-    struct Curve {
-        std::string id;  ///< its word, one of the figure's own
-        plot::CurveStyle style = {};
-        std::vector<double> x = {};  ///< may be empty
-        std::vector<double> y = {};
-        /// Where it is drawn out of scale, the places that it represents; else empty.
-        std::vector<double> trueX = {};
-        std::vector<double> trueY = {};
-        /// Reads out point i of x, as lines; null: the curve's value.
-        std::function<QString(std::size_t point)> text = {};
-    };
+    using Curve = plot::Curve;
 
     Curve& add(std::string id, plot::CurveStyle style, std::vector<double> xs,
                std::vector<double> ys) {

@@ -121,9 +121,11 @@ PlotData::Change PlotData::show(const Figure& figure) {
     }
     for (const Figure::Curve& curve : figure.curves) {
         const auto known = find(curve.id);
-        PlotCurve& drawn =
-            known ? curves[*known]
-                  : curves.emplace_back(PlotCurve{.id = curve.id, .shown = curve.style.shown});
+        PlotCurve& drawn = known ? curves[*known] : curves.emplace_back();
+        if (!known) {
+            drawn.id = curve.id;
+            drawn.shown = curve.style.shown;
+        }
         if (!known || drawn.style != curve.style) {
             drawn.style = curve.style;
             drawn.stale = isOther = true;

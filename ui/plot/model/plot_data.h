@@ -46,6 +46,19 @@ struct CurveStyle {
     bool operator==(const CurveStyle&) const = default;
 };
 
+/// A curve of a figure.
+struct Curve {
+    std::string id = {};  ///< its word, one of the figure's own, by which a reference has it too
+    CurveStyle style = {};
+    std::vector<double> x = {};  ///< may be empty
+    std::vector<double> y = {};
+    /// Where it is drawn out of scale, the places that it represents; else empty.
+    std::vector<double> trueX = {};
+    std::vector<double> trueY = {};
+    /// Reads out a point of the figure, as lines; null: the curve's value.
+    std::function<QString(std::size_t point)> text = {};
+};
+
 /// A point worth seeing, with a label.
 struct Mark {
     double x = 0.0;
@@ -87,21 +100,12 @@ struct Line {
 
 }  // namespace plot
 
-/// One curve: its points, those that are not finite left out, and how they hang together.
-struct PlotCurve {
-    std::string id = {};  ///< by which a figure and a reference have it
-    plot::CurveStyle style = {};
-    std::vector<double> x = {};
-    std::vector<double> y = {};
-    /// True places of a curve drawn out of scale, point by point; else empty.
-    std::vector<double> trueX = {};
-    std::vector<double> trueY = {};
+/// A curve as it is drawn: the points that have a place, and how they hang together.
+struct PlotCurve : plot::Curve {
     std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
     std::vector<std::size_t> places = {};  ///< of the points among those that the figure has
     std::vector<double> below = {};        ///< of the spread, from each point; or none
     std::vector<double> above = {};
-    /// Reads out a point of the figure, as lines; null without a text.
-    std::function<QString(std::size_t place)> text = {};
     bool ascending = true;  ///< x never decreases, so the cursor may interpolate
     bool shown = true;
     bool inFigure = true;                   ///< else of one that was shown before
