@@ -25,27 +25,6 @@ namespace {
 
 constexpr double tiny = 1e-9;
 
-/// Where a straight line enters and leaves a rectangle, as shares of its length; nothing where it
-/// passes by.
-std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box) {
-    double from = 0.0;
-    double to = 1.0;
-    const auto keep = [&](double at, double along, double low, double high) {
-        if (along == 0.0) {
-            if (at < low || at > high) {
-                to = -1.0;
-            }
-            return;
-        }
-        const auto [enters, leaves] = std::minmax({(low - at) / along, (high - at) / along});
-        from = std::max(from, enters);
-        to = std::min(to, leaves);
-    };
-    keep(line.x1(), line.dx(), box.left(), box.right());
-    keep(line.y1(), line.dy(), box.top(), box.bottom());
-    return from < to ? std::optional(std::pair(from, to)) : std::nullopt;
-}
-
 /// A mixture of two premultiplied colours, `share` of 255 parts of the first.
 std::uint32_t mixed(std::uint32_t colour, std::uint32_t ground, std::uint32_t share) {
     constexpr std::uint32_t pair = 0xff00ff;
@@ -349,6 +328,25 @@ QPointF along(const QPointF& from, const QPointF& to, double length) {
 }
 
 }  // namespace
+
+std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box) {
+    double from = 0.0;
+    double to = 1.0;
+    const auto keep = [&](double at, double along, double low, double high) {
+        if (along == 0.0) {
+            if (at < low || at > high) {
+                to = -1.0;
+            }
+            return;
+        }
+        const auto [enters, leaves] = std::minmax({(low - at) / along, (high - at) / along});
+        from = std::max(from, enters);
+        to = std::min(to, leaves);
+    };
+    keep(line.x1(), line.dx(), box.left(), box.right());
+    keep(line.y1(), line.dy(), box.top(), box.bottom());
+    return from < to ? std::optional(std::pair(from, to)) : std::nullopt;
+}
 
 void paintLine(QPainter& painter, const QPolygonF& line) {
     paintLines(painter, {{painter.pen(), {line}}});

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <QLineF>
 #include <QPen>
 #include <QPolygonF>
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QPainter;
@@ -37,5 +40,9 @@ std::vector<QPolygonF> hatchLines(const QPainterPath& area, const QRectF& seen, 
 /// drawn, so a 721-point curve is drawn with 100 to 200.
 /// @param points  in pixels; may be empty
 QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance = 0.25);
+
+/// Where a straight line enters and leaves a rectangle, as shares of its length; nothing where it
+/// passes by.
+std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box);
 
 }  // namespace ravnoves

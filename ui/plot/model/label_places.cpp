@@ -1,9 +1,11 @@
 #include "plot/model/label_places.h"
 
-#include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "pictures/model/stroke.h"
 
 namespace ravnoves {
 
@@ -25,17 +27,30 @@ QRect LabelPlaces::cells(const QRectF& box) const {
 }
 
 void LabelPlaces::addLine(const QPolygonF& line) {
-    QPainter painter(&taken_);
-    painter.setPen(QPen(QColor(drawn, drawn, drawn), 0.0));
-    painter.scale(1.0 / cell, 1.0 / cell);
-    painter.translate(-area_.topLeft());
-    painter.drawPolyline(line);
+    uchar* const cells = taken_.bits();
+    const QSize last = taken_.size() - QSize(1, 1);
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const QLineF part(line[i - 1], line[i]);
+        const auto seen = crossings(part, area_);
+        if (!seen) {
+            continue;
+        }
+        const QPointF start = (part.pointAt(seen->first) - area_.topLeft()) / cell;
+        const QPointF along = (part.p2() - part.p1()) * ((seen->second - seen->first) / cell);
+        const int steps = 1 + static_cast<int>(std::max(std::abs(along.x()), std::abs(along.y())));
+        for (int step = 0; step <= steps; ++step) {
+            const QPointF at = start + along * (static_cast<double>(step) / steps);
+            const int row = std::clamp(static_cast<int>(at.y()), 0, last.height());
+            cells[row * taken_.bytesPerLine() +
+                  std::clamp(static_cast<int>(at.x()), 0, last.width())] = drawn;
+        }
+    }
 }
 
-void LabelPlaces::fill(const QRectF& box, int grey) {
+void LabelPlaces::fill(const QRectF& box, uchar grey) {
     const QRect where = cells(box);
     for (int row = where.top(); row <= where.bottom(); ++row) {
-        std::fill_n(taken_.scanLine(row) + where.left(), where.width(), static_cast<uchar>(grey));
+        std::fill_n(taken_.scanLine(row) + where.left(), where.width(), grey);
     }
 }
 

@@ -25,14 +25,14 @@ class LabelPlaces {
     QRectF place(std::span<const QRectF> places);
 
   private:
-    static constexpr int drawn = 1;
-    static constexpr int written = 255;
+    static constexpr uchar drawn = 1;
+    static constexpr uchar written = 255;
 
     QRect cells(const QRectF& box) const;
-    void fill(const QRectF& box, int grey);
+    void fill(const QRectF& box, uchar grey);
 
     QRectF area_;
-    QImage taken_;
+    QImage taken_;  ///< grey
 };
 
 }  // namespace ravnoves

@@ -20,7 +20,6 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
     std::size_t finite = 0;
     std::vector<std::size_t> newStarts;
     std::vector<std::size_t> newPlaces;
-    newPlaces.reserve(count);
     bool left = false;  // the point before this one was left out
     for (std::size_t i = 0; i < count; ++i) {
         const bool there = xScale.holds(newX[i]) && yScale.holds(newY[i]);
@@ -30,7 +29,9 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
             }
             newX[finite] = newX[i];
             newY[finite] = newY[i];
-            newPlaces.push_back(i);
+            if (text) {
+                newPlaces.push_back(i);
+            }
             ++finite;
         }
         left = !there;
@@ -132,11 +133,11 @@ PlotData::Change PlotData::show(const Figure& figure) {
         }
         drawn.trueX = curve.trueX;
         drawn.trueY = curve.trueY;
-        showPoints(drawn, curve.x, curve.y);
         if (curve.text || drawn.text) {
             pointRead.reset();
             drawn.text = curve.text;
         }
+        showPoints(drawn, curve.x, curve.y);
     }
     isOther |= std::exchange(bands, figure.bands) != figure.bands;
     lines = figure.lines;
