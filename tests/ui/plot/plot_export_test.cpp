@@ -28,6 +28,8 @@
 namespace ravnoves {
 namespace {
 
+using namespace Qt::StringLiterals;
+
 class PlotExportTest : public ::testing::Test {
   protected:
     PlotExportTest() {
