@@ -71,27 +71,6 @@ ValueSlider::ValueSlider(const QString& label, const SliderScale& scale, const Q
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
     connect(box_, &NumberField::valueEdited, this,
             [this](std::optional<double> value) { edit(value.value_or(value_)); });
-    connect(box_, &QLineEdit::returnPressed, this, [this] {
-        if (!isGiven_ && box_->trouble().isEmpty()) {
-            Q_EMIT valueEdited(value_);
-        }
-    });
-    connect(&Theme::instance(), &Theme::changed, this, &ValueSlider::inkBox);
-}
-
-void ValueSlider::setGiven(bool isGiven) {
-    if (isGiven != isGiven_) {
-        isGiven_ = isGiven;
-        inkBox();
-    }
-}
-
-void ValueSlider::inkBox() {
-    QPalette palette;
-    if (!isGiven_) {
-        palette.setColor(QPalette::Text, Theme::instance().mutedText());
-    }
-    box_->setPalette(palette);
 }
 
 ValueSlider::~ValueSlider() {
@@ -263,6 +242,14 @@ FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const Field& fi
     setHint(own.hint.isEmpty() ? fieldHint(field) : own.hint);
     setModel(model);
     connect(this, &ValueSlider::valueEdited, this, own_.write);
+    if (own_.isGiven) {
+        connect(&Theme::instance(), &Theme::changed, this, &FieldSlider::follow);
+        connect(box(), &QLineEdit::returnPressed, this, [this] {
+            if (!own_.isGiven() && box()->trouble().isEmpty()) {
+                Q_EMIT valueEdited(value());
+            }
+        });
+    }
     // A drag is a step of its own: what keys moved before it is another.
     connect(slider(), &QSlider::sliderPressed, model, &SceneModel::finishDrag);
     connect(slider(), &QSlider::sliderReleased, model, &SceneModel::finishDrag);
@@ -282,7 +269,13 @@ void FieldSlider::follow() {
     const double value = own_.read();
     const auto [min, max] = own_.ends();
     setEnabled(!own_.isMovable || own_.isMovable());
-    setGiven(!own_.isGiven || own_.isGiven());
+    if (own_.isGiven) {
+        QPalette palette;
+        if (!own_.isGiven()) {
+            palette.setColor(QPalette::Text, Theme::instance().mutedText());
+        }
+        box()->setPalette(palette);
+    }
     setValue(value);  // before its ends: those would pull the value from before to them
     if (!slider()->isSliderDown()) {
         setRange(std::min(min, value), std::max(max, value));

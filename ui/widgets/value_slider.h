@@ -47,8 +47,6 @@ class ValueSlider : public QWidget {
     NumberField* box() const { return box_; }
     /// Why the latest value is rejected; empty where it is not.
     QString trouble() const;
-    /// A value outside of the case is dimmed; typed again, it is passed on.
-    void setGiven(bool isGiven);
     /// Typing is an editing of this model, and its rejections are shown below.
     void setModel(SceneModel* model);
     /// Gives their labels, fields and units one width each, so that a column of them is in line.
@@ -70,7 +68,6 @@ class ValueSlider : public QWidget {
     int widthInOneRow() const;
     void edit(double value);
     void showRange();
-    void inkBox();
     int tickOf(double value) const;
     double valueAt(int tick) const;
 
@@ -82,7 +79,6 @@ class ValueSlider : public QWidget {
     TroubleLine* trouble_;
     bool folded_ = false;
     bool isPassing_ = false;
-    bool isGiven_ = true;
     SliderScale scale_;
     double value_ = 0.0;
 };
@@ -96,7 +92,7 @@ struct SliderOwn {
     std::function<std::pair<double, double>()> ends{};  ///< where it may be moved now
     std::function<bool()> isMovable{};
     std::function<bool()>
-        isGiven{};  ///< by the case; else the value shown is dimmed, and can be typed
+        isGiven{};  ///< by the case; else the value shown is dimmed; typed again, it is passed on
     // Of a number that is more than the field.
     std::function<double()> read{};
     std::function<void(double)> write{};
