@@ -446,24 +446,11 @@ std::vector<QPolygonF> hatchLines(const QPainterPath& area, const QRectF& seen, 
 }
 
 QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance) {
-    if (points.size() <= 2) {
-        return QPolygonF(QList<QPointF>(points.begin(), points.end()));
+    if (points.empty()) {
+        return {};
     }
-    std::vector<char> keep(points.size(), 0);
-    keep.front() = 1;
-    std::size_t kept = 1;
-    // In pieces: halving the whole line would look at each point as often as that takes.
-    constexpr std::size_t piece = 48;
-    std::vector<std::pair<std::size_t, std::size_t>> spans;
-    for (std::size_t first = 0; first + 1 < points.size(); first += piece) {
-        const std::size_t last = std::min(first + piece, points.size() - 1);
-        spans.emplace_back(first, last);
-        keep[last] = 1;
-        ++kept;
-    }
-    while (!spans.empty()) {
-        const auto [first, last] = spans.back();
-        spans.pop_back();
+    QPolygonF thinned{points.front()};
+    const auto thin = [&](const auto& self, std::size_t first, std::size_t last) -> void {
         const QPointF a = points[first];
         const QPointF way = points[last] - a;
         const double reach = QPointF::dotProduct(way, way);
@@ -486,18 +473,17 @@ QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance) {
             }
         }
         if (farthest > tolerance * tolerance * QPointF::dotProduct(d, d)) {
-            keep[at] = 1;
-            ++kept;
-            spans.emplace_back(first, at);
-            spans.emplace_back(at, last);
+            self(self, first, at);
+            thinned << points[at];
+            self(self, at, last);
         }
-    }
-    QPolygonF thinned;
-    thinned.reserve(static_cast<qsizetype>(kept));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (keep[i] != 0) {
-            thinned.append(points[i]);
-        }
+    };
+    // In pieces: halving the whole line would look at each point as often as that takes.
+    constexpr std::size_t piece = 48;
+    for (std::size_t first = 0; first + 1 < points.size(); first += piece) {
+        const std::size_t last = std::min(first + piece, points.size() - 1);
+        thin(thin, first, last);
+        thinned << points[last];
     }
     return thinned;
 }
