@@ -16331,16 +16331,8 @@ but at this l no α is feasible</source>
         <translation>Главные вклады</translation>
     </message>
     <message>
-        <source>Enter the tolerance of an input in the column ±, or start with typical tolerances: weighed parts ± %1, machined sizes ± %2.</source>
-        <translation>Введите допуск величины в столбец ± или начните с типовых допусков: взвешенные детали ± %1, обработанные размеры ± %2.</translation>
-    </message>
-    <message>
-        <source>Use t&amp;ypical tolerances</source>
-        <translation>Применить типовые &amp;допуски</translation>
-    </message>
-    <message>
-        <source>&amp;Choose a result</source>
-        <translation>Вы&amp;брать результат</translation>
+        <source>Enter the tolerance of an input in the column ±, or choose typical tolerances.</source>
+        <translation>Введите допуск величины в столбец ± или выберите типовые допуски.</translation>
     </message>
     <message>
         <source>Out of date: these tolerances were not accepted: %1.</source>

@@ -9,12 +9,10 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -75,11 +73,7 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     setWindowFlags(Qt::Dialog | Qt::WindowTitleHint | Qt::WindowSystemMenuHint |
                    Qt::WindowMinMaxButtonsHint | Qt::WindowCloseButtonHint);
     setObjectName(QStringLiteral("tolerances"));
-    constexpr QSize roomy(1120, 680);
-    const QScreen* on = parent != nullptr ? parent->screen() : screen();
-    const QSize maximum = on->availableSize() - QSize(40, 60);
-    resize(
-        QSize(Theme::withText(roomy.width()), Theme::withText(roomy.height())).boundedTo(maximum));
+    resizeWithText(this, 1120, 680);
     auto* row = new QVBoxLayout(this);
     auto* parts = new QSplitter(this);
     parts->addWidget(makeInputs());
@@ -209,10 +203,10 @@ QWidget* ToleranceWindow::makeInputs() {
                    tr("Remove the tolerances of the selected inputs"), {ScatterTable::Scatter});
     column->addWidget(inputs_, 3);
     column->addWidget(headingLabel(tr("Results to watch"), holder));
-    watchable_ = new QPushButton(tr("Watch a result…"), holder);
-    watchable_->setObjectName(QStringLiteral("watchable"));
-    watchable_->setAutoDefault(false);
-    auto* results = new QMenu(watchable_);
+    auto* watchable = new QPushButton(tr("Watch a result…"), holder);
+    watchable->setObjectName(QStringLiteral("watchable"));
+    watchable->setAutoDefault(false);
+    auto* results = new QMenu(watchable);
     connect(results, &QMenu::aboutToShow, this, [this, results] {
         results->clear();
         for (const std::string& pointer : model_->results()) {
@@ -220,8 +214,8 @@ QWidget* ToleranceWindow::makeInputs() {
                                [this, pointer] { watch(pointer); });
         }
     });
-    watchable_->setMenu(results);
-    column->addWidget(watchable_);
+    watchable->setMenu(results);
+    column->addWidget(watchable);
     watched_ = edit(new WatchTable(model_), tr("Results to watch"),
                     tr("Remove the selected results"), {WatchTable::Minimum, WatchTable::Maximum});
     column->addWidget(watched_, 2);
@@ -278,10 +272,7 @@ QWidget* ToleranceWindow::makeAnswers() {
     row->addStretch();
     column->addLayout(row);
 
-    answers_ = new QStackedWidget(holder);
-    answers_->addWidget(makeNextStep());
-    answers_->addWidget(makeFound());
-    column->addWidget(answers_, 1);
+    column->addWidget(makeFound(), 1);
     bands_ = new QCheckBox(tr("Show &bands and ± on the page"), holder);
     bands_->setObjectName(QStringLiteral("bands"));
     connect(bands_, &QCheckBox::clicked, &ToleranceBands::setShown);
@@ -296,25 +287,6 @@ QWidget* ToleranceWindow::makeAnswers() {
     connect(buttons, &QDialogButtonBox::rejected, this, &QWidget::close);
     below->addWidget(buttons);
     column->addLayout(below);
-    return holder;
-}
-
-QWidget* ToleranceWindow::makeNextStep() {
-    auto* holder = new QWidget(this);
-    auto* column = new QVBoxLayout(holder);
-    column->addStretch(1);
-    next_ = captionLabel({}, holder);
-    next_->setAlignment(Qt::AlignCenter);
-    column->addWidget(next_);
-    use_ = new QPushButton(holder);
-    use_->setObjectName(QStringLiteral("next_step"));
-    use_->setAutoDefault(false);
-    connect(use_, &QPushButton::clicked, this, [this] {
-        model_->study().vary.empty() ? model_->take(StudyModel::Preset::Typical)
-                                     : watchable_->showMenu();
-    });
-    column->addWidget(use_, 0, Qt::AlignHCenter);
-    column->addStretch(2);
     return holder;
 }
 
@@ -408,20 +380,6 @@ void fitTitles(const QTabWidget* tabs) {
 }  // namespace
 
 void ToleranceWindow::showAnswers() {
-    const bool hasNone = model_->study().vary.empty();
-    const bool isNext = model_->trouble().isEmpty() && (hasNone || model_->study().watch.empty());
-    answers_->setCurrentIndex(isNext ? 0 : 1);
-    if (isNext) {
-        next_->setText(
-            hasNone ? tr("Enter the tolerance of an input in the column ±, or start "
-                         "with typical tolerances: weighed parts ± %1, machined sizes "
-                         "± %2.")
-                          .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3),
-                               shownShort(StudyModel::machinedMm * units::mm, units::mm, 3))
-                          .replace(QStringLiteral("± "), QStringLiteral("±\u00A0"))
-                    : tr("Choose a result to watch."));
-        use_->setText(hasNone ? tr("Use t&ypical tolerances") : tr("&Choose a result"));
-    }
     showFound();
     showChosen();
 }
@@ -443,6 +401,12 @@ void ToleranceWindow::showFound() {
     const StudyAnswers* answers = model_->answers();
     if (!model_->trouble().isEmpty()) {
         lines << model_->trouble();
+    } else if (model_->study().vary.empty()) {
+        lines << tr(
+            "Enter the tolerance of an input in the column ±, or choose typical "
+            "tolerances.");
+    } else if (model_->study().watch.empty()) {
+        lines << tr("Choose a result to watch.");
     } else if (answers != nullptr) {
         if (model_->isStale()) {
             lines << tr("Values before the change; computing…");

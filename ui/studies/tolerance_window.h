@@ -6,8 +6,6 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QPushButton;
-class QStackedWidget;
 class QTabWidget;
 
 namespace ravnoves {
@@ -48,8 +46,6 @@ class ToleranceWindow : public QDialog {
   private:
     QWidget* makeInputs();
     QWidget* makeAnswers();
-    /// The next step, while there are no answers.
-    QWidget* makeNextStep();
     QWidget* makeFound();
     void addKeys();
     /// Watches a result, and moves to its limits.
@@ -64,13 +60,9 @@ class ToleranceWindow : public QDialog {
     StudyModel* model_;
     TableEditor* inputs_ = nullptr;
     TableEditor* watched_ = nullptr;
-    QPushButton* watchable_ = nullptr;
     QCheckBox* bands_ = nullptr;
     QComboBox* method_ = nullptr;
     QComboBox* samples_ = nullptr;
-    QStackedWidget* answers_ = nullptr;
-    QLabel* next_ = nullptr;
-    QPushButton* use_ = nullptr;
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
     TroubleLine* rejected_ = nullptr;
