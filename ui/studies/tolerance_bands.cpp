@@ -14,7 +14,6 @@
 #include "page/scene_page.h"
 #include "scenes/scenes.h"
 #include "studies/model/part_numbers.h"
-#include "studies/model/scattered_inputs.h"
 #include "studies/model/study_model.h"
 #include "studies/study_run.h"
 #include "text/preferences.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,10 +9,19 @@
 #include <vector>
 
 #include "model/part.h"
+#include "studies/study.h"
 
 namespace ravnoves {
 
 class SceneModel;
+
+inline constexpr int scatteredSamples = 128;
+/// So many samples of inputs that scatter by these laws, evenly also by themselves; Sobol points
+/// but for Monte Carlo.
+std::vector<std::vector<double>> samplesOf(const std::vector<studies::Law>& laws,
+                                           studies::Method method, std::uint64_t seed);
+/// Between order statistics.
+double percentileOf(const std::vector<double>& ascending, double share);
 
 /// A number with its samples.
 struct ScatteredNumber {

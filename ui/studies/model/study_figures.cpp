@@ -70,8 +70,8 @@ QString bestText(const StudyModel& study, const Sweep& sweep) {
 QString sweepWords(const StudyModel& study, const SweepModel& model) {
     return !model.trouble().isEmpty() ? model.trouble()
            : model.result().empty()   ? SweepWords::tr("Choose a result to watch.")
-           : model.sweep() == nullptr || model.isPartial() ? SweepWords::tr("Computing…")
-                                                           : bestText(study, *model.sweep());
+           : model.sweep() == nullptr ? SweepWords::tr("Computing…")
+                                      : bestText(study, *model.sweep());
 }
 
 std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {

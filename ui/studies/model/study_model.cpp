@@ -10,7 +10,6 @@
 #include "model/input_differences.h"
 #include "model/scene_model.h"
 #include "scenes/scenes.h"
-#include "studies/model/solved_once.h"
 #include "studies/study_run.h"
 #include "text/capital.h"
 #include "text/key_words.h"
@@ -290,16 +289,12 @@ void StudyModel::start() {
     file.study = studies::write_study(study);
     job_->start([this, file = std::move(file), context = scene_->context(),
                  watched](const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const studies::Problem problem = studies::problem_of(file, context);
-        const auto answers =
-            solvedOnce<StudyAnswers>(problem, watched, [&]() -> std::optional<StudyAnswers> {
-                const auto part = studies::run_study(problem, 1, 1, everyCore, progress);
-                return part ? std::optional(answersOf(*part, watched)) : std::nullopt;
-            });
-        if (!answers) {
+        const auto part =
+            studies::run_study(studies::problem_of(file, context), 1, 1, everyCore, progress);
+        if (!part) {
             return {};
         }
-        return [this, answers] { show(answers, {}); };
+        return [this, answers = answersOf(*part, watched)] { show(answers, {}); };
     });
 }
 

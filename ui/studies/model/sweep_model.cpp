@@ -11,10 +11,8 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/key_units.h"
-#include "model/scene_model.h"
 #include "scenes/scenes.h"
-#include "studies/model/scattered_inputs.h"
-#include "studies/model/solved_once.h"
+#include "studies/model/part_numbers.h"
 #include "studies/model/study_model.h"
 #include "studies/study_run.h"
 
@@ -23,8 +21,6 @@ namespace ravnoves {
 namespace {
 
 constexpr int places = 121;
-constexpr int coarsest = 8;  ///< every so many of them first
-static_assert((places - 1) % coarsest == 0);
 constexpr int sweepRestMs = 200;
 
 constexpr double unsolved = std::numeric_limits<double>::quiet_NaN();
@@ -116,11 +112,9 @@ std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, doub
     return best;
 }
 
-/// @param show  is given the results so far, from coarse to fine
 /// @return nothing where it was stopped
 std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
-                              const BackgroundJob::Progress& keepGoing,
-                              const std::function<void(const Sweep&)>& show) {
+                              const BackgroundJob::Progress& keepGoing) {
     constexpr int rounds = 3;  // each a tenth as wide
     constexpr int finer = 21;
     const double from = problem.study.vary[0].from;
@@ -130,20 +124,8 @@ std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
     // One core stays free for the window.
     Responses responses(std::max(2U, std::thread::hardware_concurrency()) - 1);
     sweep.nominalResult = problem.nominal_result.front();
-    const std::vector<double> all = studies::spaced(from, to, places);
-    for (int step = coarsest; step > 0 && !progress.is_stopped(); step /= 2) {
-        std::vector<double> values;
-        const bool isFirst = step == coarsest;
-        for (int i = isFirst ? 0 : step; i < places; i += isFirst ? step : 2 * step) {
-            values.push_back(all[static_cast<std::size_t>(i)]);
-        }
-        std::ranges::move(placesAt(values, problem, samples, responses, progress),
-                          std::back_inserter(sweep.places));
-        std::ranges::sort(sweep.places, {}, &Sweep::Place::x);
-        if (!progress.is_stopped()) {
-            show(sweep);
-        }
-    }
+    sweep.places =
+        placesAt(studies::spaced(from, to, places), problem, samples, responses, progress);
     double maximum = 0.0;
     for (const Sweep::Place& place : sweep.places) {
         maximum = std::max(maximum, place.built);
@@ -218,7 +200,7 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
 
 void SweepModel::setWatched(bool watched) {
     watched_ = watched;
-    if (watched && (stale_ || !sweep_) && !isBusy()) {
+    if (watched && !sweep_ && !job_->isRunning()) {
         start();
     }
 }
@@ -265,8 +247,7 @@ void SweepModel::follow() {
     Wanted wanted = wantedNow();
     if (wanted != wanted_) {
         wanted_ = std::move(wanted);
-        stale_ = true;
-        partial_ = false;
+        sweep_.reset();
         job_->cancel();  // what it finds is of what was before
         const auto& vary = wanted_.study.vary;
         const bool isEmpty = !vary.empty() && !(vary.front().from < vary.front().to);
@@ -284,29 +265,18 @@ void SweepModel::start() {
     CaseFile file = scene.caseFile();
     scene.giveDefaults(file.input, {wanted_.sweep.input});
     file.study = studies::write_study(wanted_.study);
-    job_->start([this, job = job_, sweep = wanted_.sweep, file = std::move(file),
-                 context = scene.context()](
+    job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const studies::Problem problem = studies::problem_of(file, context);
-        auto found = solvedOnce<Sweep>(problem, 1, [&] {
-            return computed(sweep, problem, progress, [this, job](const Sweep& soFar) {
-                job->tellSoFar([this, soFar] { show(soFar, true); });
-            });
-        });
+        const auto found = computed(sweep, studies::problem_of(file, context), progress);
         if (!found) {
             return {};
         }
-        found->half = sweep.half;  // which the problem does not have
-        return [this, found = std::move(*found)] { show(found, false); };
+        return [this, found] {
+            sweep_ = found;
+            trouble_.clear();
+            Q_EMIT changed();
+        };
     });
-}
-
-void SweepModel::show(const Sweep& sweep, bool isPartial) {
-    sweep_ = sweep;
-    partial_ = isPartial;
-    stale_ = isPartial;
-    trouble_.clear();
-    Q_EMIT changed();
 }
 
 void SweepModel::takeBest() {

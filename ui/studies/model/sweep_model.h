@@ -50,7 +50,6 @@ class SweepModel : public QObject {
     explicit SweepModel(StudyModel* study, QObject* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
-    bool isBusy() const { return job_->isRunning(); }
     // Pointers.
     const std::string& input() const { return choice_.input; }
     const std::string& result() const { return choice_.result; }
@@ -67,12 +66,8 @@ class SweepModel : public QObject {
     /// Begins while someone looks; what has begun comes to its end.
     void setWatched(bool watched);
 
-    /// The latest sweep, whole or partial; null before any.
+    /// Null until that of the present case and choice is computed.
     const Sweep* sweep() const { return sweep_ ? &*sweep_ : nullptr; }
-    /// Newer numbers are on the way, or should be.
-    bool isStale() const { return stale_; }
-    /// It has the places so far, the others are on the way.
-    bool isPartial() const { return partial_; }
     QString trouble() const { return trouble_; }
     /// Sets the input to the best place, as one step of the history.
     void takeBest();
@@ -90,7 +85,6 @@ class SweepModel : public QObject {
     };
     Wanted wantedNow() const;
     void start();
-    void show(const Sweep& sweep, bool isPartial);
 
     StudyModel* study_;
     BackgroundJob* job_;
@@ -98,8 +92,6 @@ class SweepModel : public QObject {
     Wanted wanted_;
     std::optional<Sweep> sweep_;
     QString trouble_;
-    bool stale_ = false;
-    bool partial_ = false;
     bool watched_ = false;
 };
 
