@@ -1329,12 +1329,8 @@
         <translation>По названию журнал находит работы двигателя: «Копировать как новую» берёт из них двигатель и заглушки.</translation>
     </message>
     <message>
-        <source>Results use the previous value of the red field.</source>
-        <translation>Результаты — по прежнему значению красного поля.</translation>
-    </message>
-    <message>
-        <source>Results use the previous values of the red fields.</source>
-        <translation>Результаты — по прежним значениям красных полей.</translation>
+        <source>Results use the previous value of each red field.</source>
+        <translation>Результаты — по прежнему значению каждого красного поля.</translation>
     </message>
     <message>
         <source>none of them</source>
@@ -14801,10 +14797,6 @@ but at this l no α is feasible</source>
         <translation>Значение</translation>
     </message>
     <message>
-        <source>The case no longer has this input, so the study runs without it. Remove it, or undo.</source>
-        <translation>В задаче больше нет этой величины, поэтому исследование идёт без неё. Удалите допуск или отмените изменение.</translation>
-    </message>
-    <message>
         <source>0.02: uniform within ± 0.02. 1 %: uniform within ± 1 % of the value. σ 0.01: normal with this standard deviation.</source>
         <translation>0,02 или 1 %: равномерно в пределах ± 0,02 или ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
     </message>
@@ -16782,10 +16774,6 @@ but at this l no α is feasible</source>
     <message>
         <source>Shows the differences between the present input and all variants, then their results</source>
         <translation>Показывает, чем отличаются текущие данные и все варианты, затем их результаты</translation>
-    </message>
-    <message>
-        <source>%1 – not accepted: %2</source>
-        <translation>%1 — не принят: %2</translation>
     </message>
     <message>
         <source>Compare the present input with %1</source>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "shell/scene_list.h"
 #include "page/scene_page.h"
+#include "shell/scene_list.h"
 
 namespace ravnoves::test {
 
@@ -30,7 +30,7 @@ inline std::vector<std::string> sceneNamesWithCases() {
 inline std::unique_ptr<ScenePage> makePage(const std::string& scene) {
     for (const SceneInfo& info : sceneList()) {
         if (info.name.toStdString() == scene) {
-            return std::unique_ptr<ScenePage>(info.make(nullptr));
+            return std::unique_ptr<ScenePage>(info.make(nullptr, nullptr));
         }
     }
     return nullptr;

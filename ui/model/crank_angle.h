@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <cmath>
+
+#include "numerics/angle.h"
 
 namespace ravnoves {
 
@@ -13,9 +16,24 @@ class CrankAngle : public QObject {
 
     double degrees() const { return degrees_; }
     double cycle() const { return cycle_; }
-    void setCycle(double degrees);
+    void setCycle(double degrees) {
+        if (degrees != cycle_) {
+            cycle_ = degrees;
+            Q_EMIT cycleChanged(degrees);
+            turnTo(degrees_);
+        }
+    }
     /// The end of the cycle, where a slider ends, is kept.
-    void turnTo(double degrees);
+    void turnTo(double degrees) {
+        if (!std::isfinite(degrees)) {
+            return;
+        }
+        degrees = degrees == cycle_ ? degrees : wrap(degrees, cycle_);
+        if (degrees != degrees_) {
+            degrees_ = degrees;
+            Q_EMIT changed(degrees);
+        }
+    }
 
   Q_SIGNALS:
     void changed(double degrees);

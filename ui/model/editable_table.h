@@ -59,8 +59,6 @@ class EditableTable : public QAbstractTableModel {
     virtual void takeBackRejected(const QModelIndex& at);
     /// The model has another state as a whole: nothing is rejected any more.
     void forgetRejected();
-    /// Cells with a rejected text.
-    std::size_t rejectedCount() const { return rejected_.size(); }
     /// The model of the cells' case.
     virtual SceneModel* scene() const = 0;
 

@@ -5,21 +5,15 @@
 
 #include "case-file/verdict.h"
 #include "model/scene_model.h"
-#include "widgets/table_editor.h"
 #include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
 /// Says that results are of the values before rejected entries; empty without any.
 inline Message rejectedNote(const SceneModel& model) {
-    if (!model.hasRejected() || !model.isOutdated()) {
-        return {};
-    }
-    const auto* table = qobject_cast<const TableEditor*>(model.rejectedIn().front());
-    const bool isOne = model.rejectedIn().size() == 1 &&
-                       (table == nullptr || table->table()->rejectedCount() <= 1);
-    return isOne ? Text::tr("Results use the previous value of the red field.")
-                 : Text::tr("Results use the previous values of the red fields.");
+    return model.hasRejected() && model.isOutdated()
+               ? Text::tr("Results use the previous value of each red field.")
+               : Message();
 }
 
 /// The verdict of a page, with that note.

@@ -101,7 +101,7 @@ OpenDocument& Documents::add(std::size_t scene) {
     documents_.push_back(std::make_unique<OpenDocument>());
     OpenDocument& added = *documents_.back();
     added.scene = scene;
-    putPage(added, scenes_[scene].make(stack_));
+    putPage(added, scenes_[scene].make(stack_, nullptr));
     SceneModel* model = added.page->model();
     added.document = new CaseDocument(model, this);
     added.beginning = model->inputJson().dump();

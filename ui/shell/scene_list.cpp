@@ -7,7 +7,6 @@
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
-#include "numerics/demand.h"
 #include "scenes/scenes.h"
 #include "studies/tolerance_bands.h"
 #include "text/message_text.h"
@@ -29,12 +28,6 @@ struct SceneList {
 };
 
 }  // namespace
-
-ScenePage* SceneInfo::make(QWidget* parent, SceneModel* kept) const {
-    ScenePage* page = maker(parent, kept);
-    RAVNOVES_DEMAND(page->model()->sceneName() == name, "a scene has its own page");
-    return page;
-}
 
 std::vector<SceneInfo> sceneList() {
     constexpr std::array makers{makePage<BalanceShaftPage>, makePage<ElasticHingePage>,

@@ -15,10 +15,8 @@ struct SceneInfo {
     QString name;     ///< its word in case files, the name of its folders and of its help page
     QString title;    ///< in the navigation
     QString summary;  ///< one line: its purpose
-    ScenePage* (*maker)(QWidget* parent, SceneModel* kept);
-
-    /// Makes the page, over the model that a page before it has left, or over a new one.
-    ScenePage* make(QWidget* parent, SceneModel* kept = nullptr) const;
+    /// Makes the page, over the model that a page before it has left; null: over a new one.
+    ScenePage* (*make)(QWidget* parent, SceneModel* kept);
 };
 
 /// All scenes in the order of the navigation, as in core's scenes.cpp.

@@ -44,7 +44,7 @@ VariantMenu::VariantMenu(QWidget* parent)
         add("rename", tr("&Rename…"), {}, tr("Renames the reference"), [this] { rename(); }),
         add("delete", tr("&Delete"), {}, tr("Removes the reference from the case"),
             [this] { model_->removeVariant(model_->reference()); })};
-    connect(this, &QMenu::aboutToShow, this, &VariantMenu::fillList);  // it solves each of them
+    connect(this, &QMenu::aboutToShow, this, &VariantMenu::fillList);
     button_->setObjectName(QStringLiteral("variants_button"));
     button_->setMenu(this);
     button_->setPopupMode(QToolButton::InstantPopup);
@@ -117,16 +117,13 @@ void VariantMenu::fillList() {
     }
     QAction* const before = none_;
     for (int i = 0; i < model_->variants().size(); ++i) {
-        const QString trouble = model_->variantTrouble(i);
         QString text = model_->variants().at(i).name;
         text.replace(QLatin1Char('&'), QLatin1String("&&"));
-        auto* action = new QAction(
-            trouble.isEmpty() ? text : tr("%1 – not accepted: %2").arg(text, trouble), this);
+        auto* action = new QAction(text, this);
         action->setObjectName(QStringLiteral("variant_%1").arg(i));
-        const QString changed = trouble.isEmpty() ? model_->changedFilesText(i) : QString();
-        action->setToolTip(!trouble.isEmpty()  ? trouble
-                           : changed.isEmpty() ? tr("Compare the present input with %1").arg(text)
-                                               : changed);
+        const QString changed = model_->changedFilesText(i);
+        action->setToolTip(changed.isEmpty() ? tr("Compare the present input with %1").arg(text)
+                                             : changed);
         action->setCheckable(true);
         action->setChecked(i == model_->reference());
         connect(

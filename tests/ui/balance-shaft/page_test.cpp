@@ -427,16 +427,11 @@ TEST_F(BalanceShaftPageTest, WhileAnEntryIsRedTheVerdictSaysWhoseResultsTheyAre)
     const QString before = verdict->text();
     const int height = verdict->height();
     type("crank_radius_mm", QStringLiteral("-1"));
-    EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
+    EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of each red field")));
     EXPECT_EQ(verdict->height(), height) << "no field moves under the hand";
     for (const QString& copied : {page.resultsAsText(), page.resultsAsCsv()}) {
         EXPECT_TRUE(copied.startsWith(QStringLiteral("Results use the previous value")));
     }
-    const QString distance = field("centre_distance_mm")->text();
-    type("centre_distance_mm", QStringLiteral("-1"));
-    EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous values of the red fields")));
-    type("centre_distance_mm", distance);
-    EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
     type("crank_radius_mm", QStringLiteral("46"));
     EXPECT_EQ(verdict->text(), before);
 }

@@ -332,7 +332,7 @@ TEST_F(InertiaMomentsPageTest, ARejectedCellIsNamedUntilItIsCorrected) {
     // A rejected change of the rows leaves no entry beside that of a cell.
     EXPECT_FALSE(put(1, Table::KnuckleRadius, "-5"));
     table->removeRowRange(0, table->rowCount());
-    EXPECT_TRUE(page.findChild<VerdictLine*>()->text().contains(u"value of the red field"_s));
+    EXPECT_TRUE(page.findChild<VerdictLine*>()->text().contains(u"value of each red field"_s));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {

@@ -172,7 +172,7 @@ TEST_P(HelpTables, AreWhatTheFieldsSay) {
     const bool renew = qEnvironmentVariableIsSet("RAVNOVES_UPDATE_HELP");
     std::vector<std::pair<QString, std::vector<FieldEntry>>> tables;
     for (const SceneInfo& scene : sceneList()) {
-        const std::unique_ptr<ScenePage> made(scene.make(nullptr));
+        const std::unique_ptr<ScenePage> made(scene.make(nullptr, nullptr));
         if (made->model() != nullptr && !made->model()->describedFields().empty()) {
             tables.emplace_back(scene.name, made->model()->describedFields());
         }

@@ -174,12 +174,10 @@ TEST_F(VariantsTest, AnInputThatIsRejectedStaysWithItsReason) {
     CaseDocument document(&model);
     document.open(file, path);
     ASSERT_EQ(names().size(), 2);
-    EXPECT_FALSE(model.variantTrouble(0).isEmpty());
-    EXPECT_FALSE(model.variantTrouble(1).isEmpty());
-    EXPECT_FALSE(model.variantTrouble(0).contains(QLatin1Char('/')))
-        << model.variantTrouble(0).toStdString();
-    EXPECT_EQ(model.takeVariant(0), model.variantTrouble(0));
-    EXPECT_EQ(model.takeVariant(1), model.variantTrouble(1));
+    const QString why = model.takeVariant(0);
+    EXPECT_FALSE(why.isEmpty());
+    EXPECT_FALSE(why.contains(QLatin1Char('/'))) << why.toStdString();
+    EXPECT_FALSE(model.takeVariant(1).isEmpty());
     EXPECT_EQ(square(), 4.0);
     EXPECT_EQ(names().size(), 2);
     ASSERT_EQ(document.saveTo(path), QString());

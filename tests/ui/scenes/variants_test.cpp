@@ -496,7 +496,7 @@ TEST_P(EveryPagesVariants, AReferenceThatIsRejectedSaysWhy) {
     model().chooseReference(0);
     EXPECT_EQ(reference(), nullptr);
     ASSERT_FALSE(said.isEmpty());
-    EXPECT_TRUE(said.last().at(0).toString().contains(model().variantTrouble(0)));
+    EXPECT_TRUE(said.last().at(0).toString().contains(model().takeVariant(0)));
 }
 
 TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {

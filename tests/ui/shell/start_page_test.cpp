@@ -121,7 +121,7 @@ TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(u"двигатель.case.json"_s);
     QWidget place;
-    const std::unique_ptr<ScenePage> scene(sceneList().front().make(&place));
+    const std::unique_ptr<ScenePage> scene(sceneList().front().make(&place, nullptr));
     CaseDocument document(scene->model());
     EXPECT_EQ(document.saveTo(path), QString());
     const StartPage again;
@@ -142,7 +142,7 @@ TEST(NewCases, AreTakenByTheirScenes) {
     for (const SceneInfo& info : sceneList()) {
         int empty = 0;
         int presets = 0;
-        const std::unique_ptr<ScenePage> page(info.make(&place));
+        const std::unique_ptr<ScenePage> page(info.make(&place, nullptr));
         for (const NewCase& each : newCases()) {
             if (each.scene != info.name) {
                 continue;

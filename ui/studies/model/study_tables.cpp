@@ -1,7 +1,5 @@
 #include "studies/model/study_tables.h"
 
-#include <QGuiApplication>
-#include <QPalette>
 #include <algorithm>
 #include <utility>
 
@@ -121,20 +119,6 @@ QVariant ScatterTable::headerData(int section, Qt::Orientation orientation, int 
             "normal with this standard deviation.");
     }
     return StudyTable::headerData(section, orientation, role);
-}
-
-QVariant ScatterTable::data(const QModelIndex& index, int role) const {
-    if (index.isValid() && index.row() < rowCount() && input(index.row()).isMissing) {
-        if (role == Qt::ToolTipRole) {
-            return tr(
-                "The case no longer has this input, so the study runs without it. Remove it, "
-                "or undo.");
-        }
-        if (role == Qt::ForegroundRole) {
-            return QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text);
-        }
-    }
-    return StudyTable::data(index, role);
 }
 
 QString ScatterTable::text(int row, int column, bool isEdited) const {

@@ -19,7 +19,7 @@ class StudyTable : public EditableTable {
     QStringList rejectedNames() const;
 
     int columnCount(const QModelIndex& parent = {}) const final;
-    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant data(const QModelIndex& index, int role) const final;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
@@ -57,7 +57,6 @@ class ScatterTable final : public StudyTable {
     /// The last column of the block has the tolerances.
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
     int rowCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
