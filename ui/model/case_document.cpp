@@ -1,6 +1,5 @@
 #include "model/case_document.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 #include <QTimer>
@@ -16,7 +15,6 @@
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
-#include "text/message_text.h"
 #include "text/plain_title.h"
 
 namespace ravnoves {
@@ -41,27 +39,6 @@ void remember(const QString& path) {
     files.removeAll(path);
     files.prepend(path);
     QSettings().setValue(recentKey, files.mid(0, recentFiles));
-}
-
-/// The input of the example or preset whose title the file has, in this language or in English.
-std::optional<Json> namedInput(const CaseFile& file) {
-    const QDir folder(QStringLiteral(":/examples"));
-    for (const QString& name : folder.entryList()) {
-        QFile example(folder.filePath(name));
-        if (example.open(QIODevice::ReadOnly)) {
-            const CaseFile known = parse_shown_case(example.readAll().toStdString());
-            if (known.scene == file.scene && known.title == file.title &&
-                known.input == file.input) {
-                return known.input;
-            }
-        }
-    }
-    for (const auto& [title, input] : scene_solver(file.scene).presets()) {
-        if (presetTitle(title).toStdString() == file.title || title.english() == file.title) {
-            return input;
-        }
-    }
-    return std::nullopt;
 }
 
 bool holdsCase(const QString& path) {
@@ -200,11 +177,11 @@ void CaseDocument::open(const CaseFile& file, const QString& path, const QByteAr
 }
 
 void CaseDocument::begin(const CaseFile& file) {
-    take(model_->asNew(file), {});
+    take(model_->asNew(file), {}, true);
 }
 
-void CaseDocument::take(const CaseFile& file, const CaseContext& context) {
-    load(file, context);
+void CaseDocument::take(const CaseFile& file, const CaseContext& context, bool isNamed) {
+    load(file, context, isNamed);
     model_->history()->clear();  // undo must not bring another case's values under this one's name
     setPath({}, {});
 }
@@ -219,11 +196,10 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
     return file.input.contains(at) && file.input.at(at).is_string() ? &file.input.at(at) : nullptr;
 }
 
-void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
+void CaseDocument::load(const CaseFile& file, const CaseContext& context, bool isNamed) {
     withinMemory([&] {
         auto loaded = std::make_unique<CaseFile>(file);
-        const std::optional<Json> named = namedInput(file);
-        model_->loadFile(file, context, named ? &*named : nullptr);
+        model_->loadFile(file, context, isNamed);
         loaded_ = std::move(loaded);
     });
     sources_.clear();  // they were read just now

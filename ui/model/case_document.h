@@ -96,8 +96,8 @@ class CaseDocument : public QObject {
     void keepSources();
     void setPath(const QString& path, const QByteArray& known);
     void updateNeed();
-    void load(const CaseFile& file, const CaseContext& context);
-    void take(const CaseFile& file, const CaseContext& context);
+    void load(const CaseFile& file, const CaseContext& context, bool isNamed = false);
+    void take(const CaseFile& file, const CaseContext& context, bool isNamed = false);
 
     SceneModel* model_;
     QString path_;

@@ -72,10 +72,9 @@ class CaseModel : public SceneModel {
     // In case_model_json.h.
     Json inputJson() const override;
     QString takeVariant(int place) override;
-    QString variantTrouble(int place) const override;
     Json keptJson() const override;
     Json variantInput(int place) const override;
-    void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
+    void loadFile(const CaseFile& file, const CaseContext& context, bool isNamed = false) override;
     void loadInput(const Json& input, const CaseContext& context,
                    const QString& name = openName()) override;
     void showInput(const Json& input) override;

@@ -37,20 +37,12 @@ auto CaseModel<Scene>::readInput(const Json& json, const Json& kept,
 
 /// Loaded inputs are rejected with the places by their labels.
 template <typename Scene>
-void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context,
-                                const Json* named) {
+void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context, bool isNamed) {
     try {
         const Input input = readInput(file.input, file.kept, context);
         CaseTexts texts = textsOf(file);
-        // A preset's title, which its file has as the user's own would be.
-        std::shared_ptr<const Named> kept;
-        if (named != nullptr) {
-            const Input engine = *named == file.input ? input : scene_.read(*named, context);
-            kept = isEngine(input, engine) ? nameOf(texts.title, engine) : nullptr;
-        } else if (texts.title == scene_.defaultTitle() && isEngine(input, scene_.defaultInput())) {
-            kept = defaultName();
-        }
-        load(openName(), {input, std::move(texts), kept, context.directory});
+        auto named = isNamed ? nameOf(texts.title, input) : nullptr;
+        load(openName(), {input, std::move(texts), std::move(named), context.directory});
     } catch (const InputError& error) {
         throw RejectedInput(error, explain(error));
     }
@@ -99,17 +91,6 @@ Json CaseModel<Scene>::variantInput(int place) const {
     } catch (const InputError&) {
         return SceneModel::variantInput(place);
     }
-}
-
-template <typename Scene>
-QString CaseModel<Scene>::variantTrouble(int place) const {
-    try {
-        solve(
-            withinMemory([&] { return scene_.read(SceneModel::variantInput(place), context()); }));
-    } catch (const InputError& error) {
-        return explain(error);
-    }
-    return {};
 }
 
 }  // namespace ravnoves

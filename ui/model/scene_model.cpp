@@ -182,13 +182,13 @@ QString SceneModel::explain(const InputError& error) const {
 }
 
 void SceneModel::loadCase(const Json& input, const CaseContext& context, const QString& title) {
-    loadFile({sceneName().toStdString(), title.toStdString(), input}, context, nullptr);
+    loadFile({sceneName().toStdString(), title.toStdString(), input}, context);
 }
 
 void SceneModel::loadInput(const Json& input, const CaseContext& context, const QString& /*name*/) {
     CaseFile file = caseFile();
     file.input = input;
-    loadFile(file, context, nullptr);
+    loadFile(file, context);
 }
 
 bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/) {

@@ -67,10 +67,11 @@ class SceneModel : public QObject {
     /// they can be varied. Given values are kept, and numbers without a default are not added.
     void giveDefaults(Json& input, const std::vector<std::string>& pointers) const;
     /// Adopts these parts of a case as one step of the history. A fault leaves all unchanged.
-    /// @param named  the input of the preset or example with this title, which follows that engine;
-    ///               null: it is the user's
+    /// @param isNamed  the title is that of this preset or example, and follows the engine; else it
+    ///                 is the user's
     /// @throws InputError
-    virtual void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) = 0;
+    virtual void loadFile(const CaseFile& file, const CaseContext& context,
+                          bool isNamed = false) = 0;
     /// The case as a new one begins with it.
     virtual CaseFile asNew(const CaseFile& file) const;
     void loadCase(const Json& input, const CaseContext& context, const QString& title);
@@ -175,8 +176,6 @@ class SceneModel : public QObject {
     QString renameVariant(int place, const QString& name);
     /// The variant's input becomes the present one.
     virtual QString takeVariant(int /*place*/) { return {}; }
-    /// Why a variant's input is rejected; empty where it is valid.
-    virtual QString variantTrouble(int /*place*/) const { return {}; }
     /// The variant's input as the model would write it; a rejected one unchanged.
     virtual Json variantInput(int place) const;
     /// Which files a variant is of that have changed since it was kept, as a sentence; empty where

@@ -230,8 +230,8 @@ TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {
     choose(2);
     const CaseFile file = model->caseFile();
     ASSERT_TRUE(file.kept.contains("torque")) << file.kept.dump();
-    model->loadFile(BalanceShaftModel().caseFile(), {}, nullptr);
-    model->loadFile(file, {}, nullptr);
+    model->loadFile(BalanceShaftModel().caseFile(), {});
+    model->loadFile(file, {});
     EXPECT_EQ(model->input().torque.table, table);
     choose(0);
     EXPECT_EQ(model->input().torque.kind, Kind::table);

@@ -275,7 +275,7 @@ TEST_F(CaseModelTest, TheUsersTitleStaysWhateverChanges) {
     model.set("square", 25.0);
     EXPECT_EQ(model.title(), QStringLiteral("Of a file"));
     CaseFile file{"balance-shaft", "An example", {{"crank_radius_mm", 16.0}}};
-    model.loadFile(file, {}, &file.input);
+    model.loadFile(file, {}, true);
     model.set("square", 25.0);
     EXPECT_EQ(model.title(), QStringLiteral("An example (changed)"));
 }

@@ -65,7 +65,7 @@ class RandomWalk : public ::testing::Test {
         model.setTorqueKind(Kind::table);
         CaseFile file = model.caseFile();
         file.kept["torque"]["pressure"] = {{"csv", "trace.csv"}};
-        model.loadFile(file, {directory}, nullptr);
+        model.loadFile(file, {directory});
         first = model.history()->index();
         states.assign(static_cast<std::size_t>(first) + 1, {});
     }
@@ -198,7 +198,7 @@ TEST_F(RandomWalk, LosesNoTypedNumber) {
         }
         if (step % 50 == 0) {
             BalanceShaftModel other;
-            other.loadFile(model.caseFile(), model.context(), nullptr);
+            other.loadFile(model.caseFile(), model.context());
             expectAll(other, now().present);
         }
     }

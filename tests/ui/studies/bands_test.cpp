@@ -326,7 +326,7 @@ TEST_P(EveryPagesBands, StandAboutItsCurvesOrNumbers) {
         }
         file.study = {{"vary", vary}, {"watch", Json::object()}, {"samples", 64}};
         const auto page = test::makePage(GetParam());
-        page->model()->loadFile(file, {examples.path().toStdString()}, nullptr);
+        page->model()->loadFile(file, {examples.path().toStdString()});
         test::showAt(*page, {1280, 800});
         ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
         int found = 0;

@@ -276,14 +276,14 @@ TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
     scene().redo();
     ASSERT_EQ(study().vary.size(), 1U);
     EXPECT_EQ(study().vary[0].spread, studies::Varied::Spread::normal);
-    scene().loadFile(file, scene().context(), nullptr);
+    scene().loadFile(file, scene().context());
     EXPECT_EQ(study().watch.at(0).max, 1100.0);
 }
 
 TEST_F(Tolerances, AStudyThatIsRejectedStaysUntilItIsCleared) {
     CaseFile file = scene().caseFile();
     file.study = {{"vary", {{"/crank_radius_mm", {{"plus", 1}}}}}, {"watch", Json::object()}};
-    scene().loadFile(file, scene().context(), nullptr);
+    scene().loadFile(file, scene().context());
     EXPECT_FALSE(tolerances->model()->trouble().isEmpty());
     scatter("/crank_radius_mm", u"0.5"_s);
     watch("/metrics/M_ups/range_Nm");
@@ -490,7 +490,7 @@ TEST_F(Tolerances, AreTypedInTheUnitOfTheField) {
     CaseFile file = scene().caseFile();
     file.input.erase("speed_rpm");
     file.input["angular_speed_rad_s"] = 120.0 * pi;
-    scene().loadFile(file, scene().context(), nullptr);
+    scene().loadFile(file, scene().context());
     const auto row = static_cast<int>(&speed() - &tolerances->model()->inputs()[0]);
     EXPECT_EQ(tolerances->inputs()->table()->index(row, ScatterTable::Nominal).data(),
               u"3600\u00A0min⁻¹"_s);
@@ -599,7 +599,7 @@ TEST_F(Tolerances, AGridIsOfTheCommandLine) {
          {file.study["vary"], Json{{"/crank_radius_mm", {{"values", {40, 44}}}}}}) {
         file.study["method"] = "grid";
         file.study["vary"] = vary;
-        scene().loadFile(file, scene().context(), nullptr);
+        scene().loadFile(file, scene().context());
         EXPECT_FALSE(tolerances->model()->trouble().isEmpty());
         tolerances->model()->setMethod(studies::Method::monte_carlo);
         EXPECT_EQ(scene().caseFile().study, file.study) << "it is not understood";
@@ -726,7 +726,7 @@ TEST_F(Tolerances, AToleranceThatIsGoneDoesNotStopASweep) {
     watch("/moment_amplitude_Nm");
     CaseFile file = scene().caseFile();
     file.study["vary"]["/torque/cycle/compression_ratio"] = {{"plus_minus", 0.5}};
-    scene().loadFile(file, scene().context(), nullptr);
+    scene().loadFile(file, scene().context());
     SweepModel& model = sweep();
     ASSERT_TRUE(
         test::comes([&] { return !model.trouble().isEmpty() || model.sweep() != nullptr; }));
@@ -818,7 +818,7 @@ TEST_F(Tolerances, MethodsThatAreGoneGiveWayAndLoseNothing) {
                       {"method", method},
                       {"samples", 64},
                       {"seed", 7}};
-        scene().loadFile(file, scene().context(), nullptr);
+        scene().loadFile(file, scene().context());
         EXPECT_EQ(tolerances->model()->trouble(), QString());
         EXPECT_EQ(tolerances->model()->removedMethod(), QLatin1String(method));
         EXPECT_EQ(study().method, studies::Method::sobol);
@@ -842,7 +842,7 @@ TEST_F(Tolerances, OfAnInputThatIsGoneStayAndAreRemovedByHand) {
                     {"/reciprocating_masses_kg/gone_part", {{"plus_minus", 0.01}}}}},
                   {"watch", {{"/moment_amplitude_Nm", Json::object()}}},
                   {"samples", 64}};
-    scene().loadFile(file, scene().context(), nullptr);
+    scene().loadFile(file, scene().context());
     waitForAnswer();
     EXPECT_EQ(tolerances->model()->trouble(), QString());
     EXPECT_EQ(tolerances->model()->answers()->solved, 64U);
@@ -868,7 +868,7 @@ TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
     const CaseFile file = scene().caseFile();
     EXPECT_EQ(file.input["crank_share"], 0.5);
     EXPECT_NO_THROW(studies::problem_of(file, scene().context()));
-    scene().loadFile(file, scene().context(), nullptr);
+    scene().loadFile(file, scene().context());
     EXPECT_EQ(study().vary.size(), 1U);
 }
 

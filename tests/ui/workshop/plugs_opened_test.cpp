@@ -100,7 +100,7 @@ TEST(OpenedCase, HasTheNumbersOfItsScene) {
             }
             // Saved and opened again it is the same.
             WorkshopModel again({});
-            again.loadFile(parse_shown_case(write_case(saved).dump()), {}, nullptr);
+            again.loadFile(parse_shown_case(write_case(saved).dump()), {});
             EXPECT_EQ(again.input(), model.input());
         }
     }

@@ -74,7 +74,7 @@ Json MethodsModel::inputJson() const {
 }
 
 void MethodsModel::loadFile(const CaseFile& file, const CaseContext& /*context*/,
-                            const Json* /*named*/) {
+                            bool /*isNamed*/) {
     const Json& input = file.input;
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
     throw InputError(place,

@@ -38,7 +38,7 @@ class MethodsModel : public SceneModel {
     bool hasCaseFile() const override { return false; }
     Json inputJson() const override;
     /// @throws InputError always: no case has this page's word
-    void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
+    void loadFile(const CaseFile& file, const CaseContext& context, bool isNamed = false) override;
     /// The measured table.
     Json resultJson() const override;
     /// "kernel", "sweep" (by id) and "value".
