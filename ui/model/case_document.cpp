@@ -152,11 +152,7 @@ void CaseDocument::setPath(const QString& path, const QByteArray& known) {
     if (!path.isEmpty()) {
         remember(path_);
     }
-    if (known.isEmpty()) {
-        disk_.setPath(path_);
-    } else {
-        disk_.setPath(path_, known);
-    }
+    disk_.setPath(path_, known);
     model_->history()->setClean();
     Q_EMIT nameChanged();
 }

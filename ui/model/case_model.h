@@ -160,7 +160,7 @@ class CaseModel : public SceneModel {
     QString namedTitle(const Input& input) const {
         return isEngine(input, named_->input) || named_->title.isEmpty()
                    ? named_->title
-                   : changedTitle(named_->title);
+                   : named_->title + changedMark;
     }
     /// The title follows the input, unless it is the user's.
     void retitle(State& next) const {

@@ -6,17 +6,13 @@
 
 namespace ravnoves {
 
-inline InputError tooLittleMemory() {
-    return {"/input", Text::tr("needs more memory than available")};
-}
-
 /// What the work returns. @throws InputError where it runs out of memory
 template <typename Work>
 auto withinMemory(const Work& work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        throw tooLittleMemory();
+        throw InputError("/input", Text::tr("needs more memory than available"));
     }
 }
 

@@ -33,13 +33,9 @@ QByteArray FileOnDisk::digestOf(std::string_view content) {
     return hash.result();
 }
 
-void FileOnDisk::setPath(const QString& path) {
-    setPath(path, path.isEmpty() ? QByteArray() : digestNow(path));
-}
-
 void FileOnDisk::setPath(const QString& path, const QByteArray& known) {
     path_ = path;
-    known_ = known;
+    known_ = known.isEmpty() && !path.isEmpty() ? digestNow(path) : known;
     check();
 }
 

@@ -17,11 +17,10 @@ class FileOnDisk : public QObject {
 
     using QObject::QObject;
 
-    /// The file was read or written now. Empty: no file.
-    void setPath(const QString& path);
-    /// The same with the digest of the contents read or written, which others may have changed
-    /// since.
-    void setPath(const QString& path, const QByteArray& known);
+    /// The file was read or written. Empty: no file.
+    /// @param known  digest of these contents, which others may have changed since; empty: of the
+    ///               present ones
+    void setPath(const QString& path, const QByteArray& known = {});
     static QByteArray digestOf(std::string_view content);
     const QString& path() const { return path_; }
     /// Of the known content; empty without one.

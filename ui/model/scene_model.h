@@ -287,9 +287,8 @@ class SceneModel : public QObject {
     static double readNumber(const QString& key, const QString& value);
     /// Place of the value among the words. @throws InputError that names them
     static int oneOf(const QString& key, const QString& value, const QStringList& words);
-    /// Of an engine that was a preset or an example, and is not any more. In every language the
-    /// same, as a file has it; titleText() says it.
-    static QString changedTitle(const QString& title) { return title + changedMark; }
+    /// Ends the title of an engine that was a preset or an example, and is not any more. In every
+    /// language the same, as a file has it; titleText() says it.
     static constexpr QLatin1String changedMark{" (changed)"};
 
   private:

@@ -1,4 +1,4 @@
-#include "report/case_parts.h"
+#include "report/sections.h"
 
 #include <QSet>
 #include <QTabWidget>
@@ -15,7 +15,6 @@
 #include "pictures/figure.h"
 #include "report/figure_drawings.h"
 #include "report/patience.h"
-#include "report/report_words.h"
 #include "studies/tolerance_bands.h"
 
 namespace ravnoves {

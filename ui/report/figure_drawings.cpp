@@ -9,7 +9,7 @@
 
 #include "pictures/figure.h"
 #include "plot/plot_view.h"
-#include "report/report_words.h"
+#include "report/sections.h"
 
 namespace ravnoves {
 

@@ -1,4 +1,4 @@
-#include "report/input_tables.h"
+#include "report/sections.h"
 
 #include <QLocale>
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include "case-file/object_reader.h"
 #include "model/input_differences.h"
 #include "model/scene_model.h"
-#include "report/report_words.h"
 #include "text/capital.h"
 #include "text/field_names.h"
 #include "text/message_text.h"

@@ -1,4 +1,4 @@
-#include "report/study_section.h"
+#include "report/sections.h"
 
 #include <memory>
 
@@ -7,7 +7,6 @@
 #include "plot/plot_view.h"
 #include "report/figure_drawings.h"
 #include "report/patience.h"
-#include "report/report_words.h"
 #include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"

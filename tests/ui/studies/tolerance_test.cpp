@@ -23,7 +23,7 @@
 #include "paper/paper.h"
 #include "plot/plot_view.h"
 #include "report/patience.h"
-#include "report/study_section.h"
+#include "report/sections.h"
 #include "scene_tests.h"
 #include "scenes/open_example.h"
 #include "shell/main_window.h"

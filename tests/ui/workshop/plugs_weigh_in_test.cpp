@@ -5,7 +5,7 @@
 #include <map>
 
 #include "job_page_test.h"
-#include "report/input_tables.h"
+#include "report/sections.h"
 
 namespace ravnoves {
 namespace {

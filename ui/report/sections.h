@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QString>
+#include <QCoreApplication>
 #include <vector>
 
 #include "case-file/verdict.h"
@@ -9,7 +9,13 @@
 namespace ravnoves {
 
 class Patience;
+class SceneModel;
 class ScenePage;
+
+/// Words of reports.
+struct ReportWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ReportWords)
+};
 
 /// What a page shows on one tab, or beside the tabs.
 struct PageGroup {
@@ -34,5 +40,16 @@ paper::Tone toneOf(Severity severity);
 /// for the report alone, which keeps the pictures.
 /// @param share  of the progress of the whole report
 CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, double share);
+
+/// What the case gives, as its file has it: the numbers of each object in one table with their
+/// units, each list of objects in one of its own.
+std::vector<paper::Table> inputTables(const SceneModel& model);
+/// What the case leaves out and what represents it, each with the name that the form has for it;
+/// without rows where it leaves out nothing.
+paper::Table leftOut(const SceneModel& model);
+
+/// The tolerances of a case and their effect on the watched results; nothing where it has none. The
+/// study is computed now, within a minute.
+void addTolerances(Paper& report, SceneModel& model, const Patience& patience);
 
 }  // namespace ravnoves
