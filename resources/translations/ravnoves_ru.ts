@@ -10855,7 +10855,7 @@ but at this l no α is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::DiskNotice</name>
+    <name>ravnoves::Documents</name>
     <message>
         <source>Reload</source>
         <translation>Перечитать</translation>
@@ -10865,16 +10865,8 @@ but at this l no α is feasible</source>
         <translation>Оставить моё</translation>
     </message>
     <message>
-        <source>Save as…</source>
-        <translation>Сохранить как…</translation>
-    </message>
-    <message>
         <source>%1 was changed by another program.</source>
         <translation>Файл %1 изменён другой программой.</translation>
-    </message>
-    <message>
-        <source>Open case</source>
-        <translation>Открыть задачу</translation>
     </message>
     <message>
         <source>Show the present contents of the file. Undo restores this page.</source>
@@ -10896,17 +10888,6 @@ but at this l no α is feasible</source>
         <source>%1 was deleted, moved or renamed.</source>
         <translation>Файл %1 удалён, перемещён или переименован.</translation>
     </message>
-    <message>
-        <source>%1, a file of this case, was deleted, moved or renamed.</source>
-        <translation>Файл %1 этой задачи удалён, перемещён или переименован.</translation>
-    </message>
-    <message>
-        <source>%1, a file of this case, was changed by another program.</source>
-        <translation>Файл %1 этой задачи изменён другой программой.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::Documents</name>
     <message>
         <source>Open case</source>
         <translation>Открыть задачу</translation>
@@ -16287,20 +16268,12 @@ but at this l no α is feasible</source>
         <translation>доля</translation>
     </message>
     <message>
-        <source>&amp;Weighed parts: ± %1</source>
-        <translation>&amp;Взвешенные детали: ±&#xa0;%1</translation>
-    </message>
-    <message>
-        <source>&amp;Machined sizes: ± %1</source>
-        <translation>&amp;Обработанные размеры: ±&#xa0;%1</translation>
+        <source>&amp;Weighed parts: ± %1, machined sizes: ± %2</source>
+        <translation>&amp;Взвешенные детали: ±&#xa0;%1, обработанные размеры: ±&#xa0;%2</translation>
     </message>
     <message>
         <source>&amp;Typical tolerances</source>
         <translation>&amp;Типовые допуски</translation>
-    </message>
-    <message>
-        <source>Weighed &amp;and machined</source>
-        <translation>Взвешенные &amp;и обработанные</translation>
     </message>
     <message>
         <source>Remove the tolerances of the selected inputs</source>

@@ -1,9 +1,12 @@
 #include "shell/documents.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QKeySequence>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -14,11 +17,12 @@
 #include "model/recovery.h"
 #include "page/scene_page.h"
 #include "scenes/case_sources.h"
-#include "shell/disk_notice.h"
 #include "text/file_path.h"
 #include "text/plain_title.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/layouts.h"
+#include "widgets/panel.h"
 
 namespace ravnoves {
 
@@ -28,7 +32,11 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     column->setSpacing(0);
     makeTabs();
     column->addWidget(tabs_);
-    makeNotices();
+    notices_ = new Panel(this);
+    notices_->setObjectName(QStringLiteral("disk_notice"));
+    rowIn(notices_, Theme::space, barMargins);
+    notices_->hide();
+    column->addWidget(notices_);
     stack_ = new QStackedWidget(this);
     column->addWidget(stack_, 1);
 }
@@ -143,12 +151,6 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
     stack_->addWidget(page);
 }
 
-void Documents::makeNotices() {
-    notices_ = new DiskNotice(this);
-    connect(notices_, &DiskNotice::saveAsWanted, this, [this] { saveAs(*current_); });
-    static_cast<QVBoxLayout*>(layout())->insertWidget(1, notices_);  // below the tabs
-}
-
 void Documents::renewPages() {
     scenes_ = sceneList();
     for (const auto& each : documents_) {
@@ -161,8 +163,6 @@ void Documents::renewPages() {
         each->page->showTabs(tabs);
     }
     dressTabs();
-    delete notices_;
-    makeNotices();
     if (current_ == nullptr) {
         return;
     }
@@ -261,9 +261,62 @@ void Documents::keepIn(Recovery* recovery) {
 }
 
 void Documents::showNotices() {
-    if (current_ != nullptr) {
-        notices_->showFor(current_->document, current_->page);
+    if (current_ == nullptr) {
+        return;
     }
+    const bool hadFocus = notices_->isAncestorOf(QApplication::focusWidget());
+    notices_->hide();
+    for (QWidget* before :
+         notices_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        before->setParent(nullptr);
+        before->deleteLater();  // it may be the button that was pressed
+    }
+    if (hadFocus) {  // else it goes where it happens to
+        QWidget* last = current_->page->focusWidget();
+        (last != nullptr ? last : current_->page)->setFocus(Qt::OtherFocusReason);
+    }
+    CaseDocument* document = current_->document;
+    const FileOnDisk* file = document->changedFile();
+    if (file == nullptr) {
+        return;
+    }
+    const bool isMissing = file->state() == FileOnDisk::State::Missing;
+    auto* text = new QLabel((isMissing ? tr("%1 was deleted, moved or renamed.")
+                                       : tr("%1 was changed by another program."))
+                                .arg(QFileInfo(file->path()).fileName()),
+                            notices_);
+    text->setToolTip(file->path());
+    text->setWordWrap(true);
+    static_cast<QHBoxLayout*>(notices_->layout())->addWidget(text, 1);
+    const auto add = [this](const char* name, const QString& label, const QString& tip,
+                            auto pressed) {
+        auto* button = new QPushButton(label, notices_);
+        button->setObjectName(QLatin1String(name));
+        button->setToolTip(tip);
+        notices_->layout()->addWidget(button);
+        connect(button, &QPushButton::clicked, this, pressed);
+    };
+    if (!isMissing) {
+        add("disk_reload", tr("Reload"),
+            tr("Show the present contents of the file. Undo restores this page."),
+            [this, document] {
+                const QString trouble = document->reload();
+                if (!trouble.isEmpty()) {
+                    QMessageBox::warning(window(), tr("Open case"), trouble);
+                }
+            });
+    }
+    const bool isOwn = document->isOwn(file);
+    add("disk_keep", tr("Keep mine"),
+        isOwn ? tr("Continue with this page. Saving replaces the file.")
+              : tr("Continue with the numbers read before. The next time, the case opens with the "
+                   "numbers of the file."),
+        [document] { document->keepMine(); });
+    if (isOwn) {
+        add("disk_save_as", tr("Save as…"), tr("Save this page in another file."),
+            [this] { saveAs(*current_); });
+    }
+    notices_->show();
 }
 
 bool Documents::event(QEvent* event) {
@@ -320,7 +373,7 @@ void Documents::makeTabs() {
     };
     connect(tabs_, &QTabBar::tabCloseRequested, this, closeTab);
     connect(tabs_, &QTabBar::tabBarClicked, this, [closeTab](int tab) {
-        if (QGuiApplication::mouseButtons() == Qt::MiddleButton) {
+        if (QApplication::mouseButtons() == Qt::MiddleButton) {
             closeTab(tab);
         }
     });

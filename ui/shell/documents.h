@@ -13,7 +13,7 @@ class QTabBar;
 
 namespace ravnoves {
 
-class DiskNotice;
+class Panel;
 class Recovery;
 class ScenePage;
 struct RecoveredCase;
@@ -27,9 +27,9 @@ struct OpenDocument {
     bool hasTab = false;
 };
 
-/// The open documents as tabs over the page of the one in front, its notices between them
-/// (DiskNotice). Each has a page, a history and a file of its own. The program decides which have a
-/// tab, the user in which order.
+/// The open documents as tabs over the page of the one in front, its notices between them. Each has
+/// a page, a history and a file of its own. The program decides which have a tab, the user in which
+/// order.
 ///
 /// The first document of a scene is made when the scene is shown; while it is untouched and has no
 /// file, a case that is opened may take its place, and it gets a tab only in front. With one tab
@@ -145,7 +145,8 @@ class Documents : public QWidget {
                      bool overwrites);
     /// Before it closes: asks about unsaved changes.
     bool mayClose(OpenDocument& document);
-    void makeNotices();
+    /// That the case's file, or one that it reads, was changed or deleted by others, and what to do
+    /// about it.
     void showNotices();
     void nameTabs();
     void arrangeTabs();
@@ -154,7 +155,7 @@ class Documents : public QWidget {
     std::vector<std::unique_ptr<OpenDocument>> documents_;
     OpenDocument* current_ = nullptr;  ///< the last of them
     QTabBar* tabs_ = nullptr;
-    DiskNotice* notices_ = nullptr;
+    Panel* notices_ = nullptr;
     QStackedWidget* stack_ = nullptr;
     Recovery* recovery_ = nullptr;
 };

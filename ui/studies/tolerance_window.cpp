@@ -186,13 +186,10 @@ QWidget* ToleranceWindow::makeInputs() {
     const auto add = [&](const QString& text, StudyModel::Preset preset) {
         menu->addAction(text, model_, [this, preset] { model_->take(preset); });
     };
-    add(tr("Weighed &and machined"), StudyModel::Preset::Typical);
-    add(tr("&Weighed parts: ± %1")
-            .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3)),
-        StudyModel::Preset::Weighed);
-    add(tr("&Machined sizes: ± %1")
-            .arg(shownShort(StudyModel::machinedMm * units::mm, units::mm, 3)),
-        StudyModel::Preset::Machined);
+    add(tr("&Weighed parts: ± %1, machined sizes: ± %2")
+            .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3),
+                 shownShort(StudyModel::machinedMm * units::mm, units::mm, 3)),
+        StudyModel::Preset::Typical);
     add(tr("&All inputs: ± 1 %"), StudyModel::Preset::OnePercent);
     menu->addSeparator();
     menu->addAction(tr("&Remove all"), model_, &StudyModel::clear);

@@ -429,7 +429,7 @@ TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
     EXPECT_EQ(model().resultJson(), before);
     ASSERT_TRUE(QFile::remove(table));
     lookAgain();
-    ASSERT_FALSE(test::named<QPushButton>(*notice, "disk_reload")->isVisible());
+    ASSERT_EQ(notice->findChild<QPushButton*>(u"disk_reload"_s), nullptr);
     QTest::mouseClick(test::named<QPushButton>(*notice, "disk_keep"), Qt::LeftButton);
     EXPECT_FALSE(isSaid());
 }

@@ -44,7 +44,7 @@ class StudyModel : public QObject {
         std::optional<studies::Varied> varied = {};
         bool isMissing = false;  ///< the case has it no more: the study runs without it
     };
-    enum class Preset { Weighed, Machined, Typical, OnePercent };
+    enum class Preset { Typical, OnePercent };
 
     explicit StudyModel(SceneModel* scene, QObject* parent = nullptr);
 
@@ -77,7 +77,7 @@ class StudyModel : public QObject {
     QString setScatter(const std::vector<std::pair<std::string, QString>>& texts);
     static constexpr double weighedGrams = 0.5;
     static constexpr double machinedMm = 0.05;
-    /// Gives every input of a kind its usual scatter: masses and lengths these, all ± 1 %.
+    /// Gives inputs their usual scatter: masses and lengths these, or all of them ± 1 %.
     void take(Preset preset);
     /// Removes all scatters and watched results, with the case's study, a rejected one too.
     void clear();

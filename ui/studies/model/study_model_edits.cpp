@@ -125,26 +125,22 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
 
 void StudyModel::take(Preset preset) {
     Study next = study_;
-    const bool weighed = preset == Preset::Weighed || preset == Preset::Typical;
-    const bool machined = preset == Preset::Machined || preset == Preset::Typical;
+    const bool isPercent = preset == Preset::OnePercent;
     for (const Input& input : inputs_) {
-        Varied varied{.pointer = input.pointer};
-        if (input.isMissing) {
+        const bool isLength = input.unit == unitText("mm");
+        const double size = isPercent                             ? 1.0
+                            : input.unit.endsWith(unitText("kg")) ? weighedGrams / 1000.0
+                            : input.unit == unitText("g")         ? weighedGrams
+                            : isLength                            ? machinedMm
+                                                                  : 0.0;
+        // Half of the samples of no mass would be negative.
+        const bool isNone = input.value == 0.0 && (isPercent || !isLength);
+        if (input.isMissing || size == 0.0 || isNone) {
             continue;
         }
-        if (preset == Preset::OnePercent && input.value != 0.0) {
+        Varied varied{.pointer = input.pointer, .size = size};
+        if (isPercent) {
             varied.spread = Varied::Spread::plus_minus_percent;
-            varied.size = 1.0;
-        } else if (input.value == 0.0 && input.unit.endsWith(unitText("g"))) {
-            continue;  // half of its samples would be negative masses
-        } else if (weighed && input.unit.endsWith(unitText("kg"))) {
-            varied.size = weighedGrams / 1000.0;
-        } else if (weighed && input.unit == unitText("g")) {
-            varied.size = weighedGrams;
-        } else if (machined && input.unit == unitText("mm")) {
-            varied.size = machinedMm;
-        } else {
-            continue;
         }
         std::erase_if(next.vary, [&](const Varied& each) { return each.pointer == input.pointer; });
         next.vary.push_back(varied);
