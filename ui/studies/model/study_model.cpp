@@ -67,6 +67,14 @@ void collectNumbers(const Json& json, const std::string& pointer, std::vector<st
 
 }  // namespace
 
+double StudyModel::Input::half() const {
+    if (!varied || varied->spread == Varied::Spread::grid) {
+        return 0.0;
+    }
+    const studies::Law law = studies::law_of(*varied, value);
+    return 0.5 * (law.high - law.low);
+}
+
 StudyModel::StudyModel(SceneModel* scene, QObject* parent)
     : QObject(parent), scene_(scene), job_(new BackgroundJob(this)) {
     later_.setSingleShot(true);

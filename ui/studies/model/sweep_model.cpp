@@ -113,7 +113,7 @@ std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, doub
 }
 
 /// @return nothing where it was stopped
-std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
+std::optional<Sweep> computed(const studies::Problem& problem,
                               const BackgroundJob::Progress& keepGoing) {
     constexpr int rounds = 3;  // each a tenth as wide
     constexpr int finer = 21;
@@ -123,7 +123,9 @@ std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
     studies::Progress progress(keepGoing, samples.size() * (places + rounds * finer));
     // One core stays free for the window.
     Responses responses(std::max(2U, std::thread::hardware_concurrency()) - 1);
-    sweep.nominalResult = problem.nominal_result.front();
+    Sweep sweep{.input = problem.study.vary[0].pointer,
+                .result = problem.study.watch[0].pointer,
+                .nominalResult = problem.nominal_result.front()};
     sweep.places =
         placesAt(studies::spaced(from, to, places), problem, samples, responses, progress);
     double maximum = 0.0;
@@ -170,19 +172,6 @@ std::vector<const StudyModel::Input*> SweepModel::inputs() const {
     return inputs;
 }
 
-namespace {
-
-/// Half of what the input's tolerance allows, 0 without one.
-double halfOf(const StudyModel::Input& input) {
-    if (!input.varied || input.varied->spread == studies::Varied::Spread::grid) {
-        return 0.0;
-    }
-    const studies::Law law = studies::law_of(*input.varied, input.value);
-    return 0.5 * (law.high - law.low);
-}
-
-}  // namespace
-
 std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
     const StudyModel::Input* input = study_->input(choice_.input);
     if (input == nullptr) {
@@ -190,7 +179,7 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
     }
     constexpr double part = 0.1;
     const double nominal = input->value;
-    const double half = halfOf(*input);
+    const double half = input->half();
     const double reach = half > 0.0 ? half : nominal != 0.0 ? part * std::abs(nominal) : 1.0;
     const bool turns = half == 0.0 && unit_at(choice_.input) == units::degree;
     const Range range = study_->rangeOf(choice_.input);
@@ -205,30 +194,24 @@ void SweepModel::setWatched(bool watched) {
     }
 }
 
-SweepModel::Wanted SweepModel::wantedNow() const {
+studies::Study SweepModel::wantedNow() const {
     const StudyModel::Input* swept = study_->input(choice_.input);
     if (swept == nullptr || choice_.result.empty()) {
         return {};
     }
     const Ends usual = *usualEnds();
-    SceneModel& scene = *study_->scene();
-    Wanted wanted{.sweep = {.input = choice_.input,
-                            .result = choice_.result,
-                            .nominal = swept->value,
-                            .half = halfOf(*swept)},
-                  .study = {.vary = {{.pointer = choice_.input,
-                                      .spread = studies::Varied::Spread::uniform,
-                                      .from = choice_.from.value_or(usual.first),
-                                      .to = choice_.to.value_or(usual.second)}},
-                            .watch = {{.pointer = choice_.result}},
-                            .seed = study_->study().seed},
-                  .solution = scene.solutions()};
+    studies::Study wanted{.vary = {{.pointer = choice_.input,
+                                    .spread = studies::Varied::Spread::uniform,
+                                    .from = choice_.from.value_or(usual.first),
+                                    .to = choice_.to.value_or(usual.second)}},
+                          .watch = {{.pointer = choice_.result}},
+                          .seed = study_->study().seed};
     for (const StudyModel::Input& input : study_->inputs()) {
-        if (&input != swept && !input.isMissing && halfOf(input) > 0.0) {
-            wanted.study.vary.push_back(*input.varied);
+        if (&input != swept && !input.isMissing && input.half() > 0.0) {
+            wanted.vary.push_back(*input.varied);
         }
     }
-    watchFeasible(wanted.study, scene);
+    watchFeasible(wanted, *study_->scene());
     return wanted;
 }
 
@@ -244,12 +227,14 @@ void SweepModel::follow() {
         std::ranges::find(watch, choice_.result, &studies::Watched::pointer) == watch.end()) {
         choice_.result = watch.front().pointer;
     }
-    Wanted wanted = wantedNow();
-    if (wanted != wanted_) {
+    studies::Study wanted = wantedNow();
+    const int solution = study_->scene()->solutions();
+    if (wanted != wanted_ || solution != solution_) {
         wanted_ = std::move(wanted);
+        solution_ = solution;
         sweep_.reset();
         job_->cancel();  // what it finds is of what was before
-        const auto& vary = wanted_.study.vary;
+        const auto& vary = wanted_.vary;
         const bool isEmpty = !vary.empty() && !(vary.front().from < vary.front().to);
         trouble_ = isEmpty ? tr("“From” must be less than “to”.") : QString();
         start();
@@ -258,16 +243,16 @@ void SweepModel::follow() {
 }
 
 void SweepModel::start() {
-    if (!watched_ || wanted_.study.vary.empty() || !trouble_.isEmpty()) {
+    if (!watched_ || wanted_.vary.empty() || !trouble_.isEmpty()) {
         return;
     }
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    scene.giveDefaults(file.input, {wanted_.sweep.input});
-    file.study = studies::write_study(wanted_.study);
-    job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context()](
+    scene.giveDefaults(file.input, {choice_.input});
+    file.study = studies::write_study(wanted_);
+    job_->start([this, file = std::move(file), context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const auto found = computed(sweep, studies::problem_of(file, context), progress);
+        const auto found = computed(studies::problem_of(file, context), progress);
         if (!found) {
             return {};
         }

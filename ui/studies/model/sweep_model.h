@@ -25,21 +25,17 @@ struct Sweep {
         double size = 0.0;      ///< 95 % of the amount, |…|
         double built = 0.0;     ///< share of the samples that are solved and feasible
         double rejected = 0.0;  ///< share of the samples that are not solved
-        bool operator==(const Place&) const = default;
     };
     /// The minimum share of feasible samples at the best place.
     static constexpr double minBuilt = 0.95;
 
     std::string input;  ///< pointers
     std::string result;
-    double nominal = 0.0;
-    double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
     std::vector<Place> places = {};
     /// Where the 95 % amount is smallest, with `minBuilt` of the samples feasible, or the largest
     /// share; between the places.
     std::optional<Place> best = {};
-    bool operator==(const Sweep&) const = default;
 };
 
 /// Computes sweeps of the study's case in the background while someone looks.
@@ -76,20 +72,15 @@ class SweepModel : public QObject {
     void changed();
 
   private:
-    /// What a sweep is made of.
-    struct Wanted {
-        Sweep sweep = {};
-        studies::Study study = {};  ///< varies nothing where no sweep can be made
-        int solution = -1;          ///< of the scene
-        bool operator==(const Wanted&) const = default;
-    };
-    Wanted wantedNow() const;
+    /// First the input that is swept; varies nothing where no sweep can be made.
+    studies::Study wantedNow() const;
     void start();
 
     StudyModel* study_;
     BackgroundJob* job_;
     SweepChoice choice_;
-    Wanted wanted_;
+    studies::Study wanted_;
+    int solution_ = -1;  ///< of the scene
     std::optional<Sweep> sweep_;
     QString trouble_;
     bool watched_ = false;
