@@ -67,8 +67,8 @@ class SceneModel : public QObject {
     /// they can be varied. Given values are kept, and numbers without a default are not added.
     void giveDefaults(Json& input, const std::vector<std::string>& pointers) const;
     /// Adopts these parts of a case as one step of the history. A fault leaves all unchanged.
-    /// @param isNamed  the title is that of this preset or example, and follows the engine; else it
-    ///                 is the user's
+    /// @param isNamed  the title is a preset's or an example's, and follows the engine; else it is
+    ///                 the user's
     /// @throws InputError
     virtual void loadFile(const CaseFile& file, const CaseContext& context,
                           bool isNamed = false) = 0;

@@ -62,7 +62,7 @@ class SweepModel : public QObject {
     /// Begins while someone looks; what has begun comes to its end.
     void setWatched(bool watched);
 
-    /// Null until that of the present case and choice is computed.
+    /// Of the present case and choice; null until it is computed.
     const Sweep* sweep() const { return sweep_ ? &*sweep_ : nullptr; }
     QString trouble() const { return trouble_; }
     /// Sets the input to the best place, as one step of the history.
