@@ -75,17 +75,18 @@ CaseDocument::CaseDocument(SceneModel* model, QObject* parent)
         *loaded_ = {};
         setPath({}, {});
     });
-    connect(&disk_, &FileOnDisk::stateChanged, this, [this] {
-        const FileOnDisk::State state = disk_.state();
-        isLastCopy_ = state == FileOnDisk::State::Missing ||
-                      (state == FileOnDisk::State::Changed && !holdsCase(path_));
-        updateNeed();
-        Q_EMIT filesChanged();
-    });
 }
 
 CaseDocument::~CaseDocument() {
     documents().removeOne(this);
+}
+
+void CaseDocument::tellFiles() {
+    const FileOnDisk::State state = disk_.state();
+    isLastCopy_ = state == FileOnDisk::State::Missing ||
+                  (state == FileOnDisk::State::Changed && !holdsCase(path_));
+    updateNeed();
+    Q_EMIT filesChanged();
 }
 
 bool CaseDocument::hasFile(const SceneModel& model) {
@@ -152,7 +153,9 @@ void CaseDocument::setPath(const QString& path, const QByteArray& known) {
     if (!path.isEmpty()) {
         remember(path_);
     }
-    disk_.setPath(path_, known);
+    if (disk_.setPath(path_, known)) {
+        tellFiles();
+    }
     model_->history()->setClean();
     Q_EMIT nameChanged();
 }
@@ -207,15 +210,17 @@ void CaseDocument::restore(const CaseFile& file, const RecoveredCase& from) {
     take(file, from.context);
     model_->takePlace(from.place);
     path_ = from.path;
-    disk_.setPath(path_, from.known);
+    if (disk_.setPath(path_, from.known)) {
+        tellFiles();
+    }
     model_->history()->resetClean();
     Q_EMIT nameChanged();
 }
 
 QString CaseDocument::reload() {
     if (const FileOnDisk* file = changedFile(); file != nullptr && !isOwn(file)) {
-        for (const auto& each : sources_) {
-            each->check();
+        for (FileOnDisk& each : sources_) {
+            each.check();
         }
         try {
             model_->loadInput(model_->inputJson(), model_->context());
@@ -238,7 +243,9 @@ QString CaseDocument::reload() {
 
 void CaseDocument::keepMine() {
     if (isOwn(changedFile())) {
-        disk_.accept();
+        if (disk_.accept()) {
+            tellFiles();
+        }
         model_->history()->resetClean();
         Q_EMIT nameChanged();
     } else {
@@ -247,8 +254,8 @@ void CaseDocument::keepMine() {
 }
 
 void CaseDocument::keepSources() {
-    for (const auto& each : sources_) {
-        each->accept();
+    for (FileOnDisk& each : sources_) {
+        each.accept();
     }
     Q_EMIT filesChanged();
 }
@@ -263,17 +270,12 @@ void CaseDocument::watchSources() {
             paths.push_back(file.absoluteFilePath());
         }
     }
-    const auto isNamed = [&](const auto& source) {
-        return std::find(paths.begin(), paths.end(), source->path()) != paths.end();
-    };
-    const bool isFewer = std::erase_if(sources_, [&](const auto& each) { return !isNamed(each); });
+    const bool isFewer = std::erase_if(sources_, [&](const FileOnDisk& each) {
+        return std::ranges::find(paths, each.path()) == paths.end();
+    });
     for (const QString& path : paths) {
-        if (std::none_of(sources_.begin(), sources_.end(),
-                         [&](const auto& each) { return each->path() == path; })) {
-            sources_.push_back(std::make_unique<FileOnDisk>());
-            sources_.back()->setPath(path);
-            connect(sources_.back().get(), &FileOnDisk::stateChanged, this,
-                    &CaseDocument::filesChanged);
+        if (std::ranges::find(sources_, path, &FileOnDisk::path) == sources_.end()) {
+            sources_.emplace_back().setPath(path);
         }
     }
     if (isFewer) {
@@ -282,21 +284,21 @@ void CaseDocument::watchSources() {
 }
 
 const FileOnDisk* CaseDocument::changedFile() const {
-    if (disk_.state() != FileOnDisk::State::Same) {
+    if (!disk_.isSame()) {
         return &disk_;
     }
-    for (const auto& each : sources_) {
-        if (each->state() != FileOnDisk::State::Same) {
-            return each.get();
-        }
-    }
-    return nullptr;
+    const auto changed =
+        std::ranges::find_if(sources_, [](const FileOnDisk& each) { return !each.isSame(); });
+    return changed != sources_.end() ? &*changed : nullptr;
 }
 
 void CaseDocument::checkFiles() {
-    disk_.check();
-    for (const auto& each : sources_) {
-        each->check();
+    bool isAnother = disk_.check();
+    for (FileOnDisk& each : sources_) {
+        isAnother = each.check() || isAnother;
+    }
+    if (isAnother) {
+        tellFiles();
     }
 }
 

@@ -68,7 +68,7 @@ class CaseDocument : public QObject {
     QString saveTo(const QString& path);
 
     /// The file, as others may change it.
-    FileOnDisk& disk() { return disk_; }
+    const FileOnDisk& disk() const { return disk_; }
     /// Its file, else the first of the files that it reads (CSV), that others have changed or
     /// deleted since; null where all are as they were.
     const FileOnDisk* changedFile() const;
@@ -92,6 +92,7 @@ class CaseDocument : public QObject {
     void filesChanged();
 
   private:
+    void tellFiles();
     void watchSources();
     void keepSources();
     void setPath(const QString& path, const QByteArray& known);
@@ -104,7 +105,7 @@ class CaseDocument : public QObject {
     QString jobName_;
     std::unique_ptr<CaseFile> loaded_;  ///< as loaded
     FileOnDisk disk_;
-    std::vector<std::unique_ptr<FileOnDisk>> sources_;  ///< that the case reads
+    std::vector<FileOnDisk> sources_;  ///< that the case reads
     QTimer* sourcesLater_;
     bool isLastCopy_ = false;
     bool neededSaving_ = false;

@@ -3,6 +3,7 @@
 #include <QCryptographicHash>
 #include <QFileInfo>
 #include <new>
+#include <utility>
 
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
@@ -33,13 +34,13 @@ QByteArray FileOnDisk::digestOf(std::string_view content) {
     return hash.result();
 }
 
-void FileOnDisk::setPath(const QString& path, const QByteArray& known) {
+bool FileOnDisk::setPath(const QString& path, const QByteArray& known) {
     path_ = path;
     known_ = known.isEmpty() && !path.isEmpty() ? digestNow(path) : known;
-    check();
+    return check();
 }
 
-FileOnDisk::State FileOnDisk::check() {
+bool FileOnDisk::check() {
     State now = State::Same;
     QByteArray found;
     if (!path_.isEmpty()) {
@@ -51,16 +52,12 @@ FileOnDisk::State FileOnDisk::check() {
     }
     const bool changedAgain = now == State::Changed && found != found_;
     found_ = found;
-    if (now != state_ || changedAgain) {
-        state_ = now;
-        Q_EMIT stateChanged();
-    }
-    return state_;
+    return std::exchange(state_, now) != now || changedAgain;
 }
 
-void FileOnDisk::accept() {
+bool FileOnDisk::accept() {
     known_ = found_;
-    check();
+    return check();
 }
 
 }  // namespace ravnoves

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QByteArray>
-#include <QObject>
 #include <QString>
 #include <string_view>
 
@@ -9,31 +8,25 @@ namespace ravnoves {
 
 /// Whether a file is unchanged since it was read or written here. It is checked on demand: when the
 /// window comes to the front, and before it is written or closed; the content decides.
-class FileOnDisk : public QObject {
-    Q_OBJECT
-
+class FileOnDisk {
   public:
     enum class State { Same, Changed, Missing };
-
-    using QObject::QObject;
 
     /// The file was read or written. Empty: no file.
     /// @param known  digest of these contents, which others may have changed since; empty: of the
     ///               present ones
-    void setPath(const QString& path, const QByteArray& known = {});
+    /// @return as check()
+    bool setPath(const QString& path, const QByteArray& known = {});
     static QByteArray digestOf(std::string_view content);
     const QString& path() const { return path_; }
     /// Of the known content; empty without one.
     const QByteArray& digest() const { return known_; }
     State state() const { return state_; }
-    /// Looks at the file now.
-    State check();
-    /// Accepts the contents found by the last check.
-    void accept();
-
-  Q_SIGNALS:
-    /// Also where a changed file changed again.
-    void stateChanged();
+    bool isSame() const { return state_ == State::Same; }
+    /// Looks at the file now. @return whether its state is another, or it changed again
+    bool check();
+    /// Accepts the contents found by the last check. @return as check()
+    bool accept();
 
   private:
     QString path_;

@@ -40,7 +40,8 @@ QString shortened(const QString& text) {
 std::pair<QString, QString> fingerprint(CaseDocument& document) {
     const bool isFile = !document.path().isEmpty() && !document.needsSaving();
     if (isFile && !document.disk().digest().isEmpty()) {
-        return {document.disk().check() == FileOnDisk::State::Same
+        document.checkFiles();
+        return {document.disk().isSame()
                     ? ReportWords::tr("SHA-256 of the file")
                     : ReportWords::tr("SHA-256 of the file as read; the file has changed"),
                 QString::fromLatin1(document.disk().digest().toHex())};

@@ -165,7 +165,8 @@ bool Documents::save(OpenDocument& document) {
     if (!continueWithoutRejected(document.page, tr("Save case"))) {
         return false;
     }
-    return document.document->disk().check() == FileOnDisk::State::Changed
+    document.document->checkFiles();
+    return document.document->disk().state() == FileOnDisk::State::Changed
                ? saveInstead(document, path,
                              tr("%1 was changed by another program since it was opened or saved "
                                 "here. Overwrite it?")
@@ -228,7 +229,7 @@ bool Documents::canClose() {
 
 bool Documents::mayClose(OpenDocument& document) {
     const bool hasFile = !document.document->path().isEmpty();
-    document.document->disk().check();
+    document.document->checkFiles();
     if (!document.document->needsSaving()) {
         return continueWithoutRejected(document.page, tr("Close case"), nameOf(document));
     }

@@ -266,6 +266,10 @@ class DiskTest : public ::testing::Test {
         other.set("square", square);
         EXPECT_EQ(CaseDocument(&other).saveTo(path), QString());
     }
+    FileOnDisk::State look() {
+        document.checkFiles();
+        return document.disk().state();
+    }
     QTemporaryDir folder;
     QString path = folder.filePath(QStringLiteral("a.case.json"));
     test::RootModel model;
@@ -273,23 +277,23 @@ class DiskTest : public ::testing::Test {
 };
 
 TEST_F(DiskTest, ItsOwnSavingIsNoChange) {
-    QSignalSpy said(&document.disk(), &FileOnDisk::stateChanged);
+    QSignalSpy said(&document, &CaseDocument::filesChanged);
     model.set("square", 16.0);
     EXPECT_EQ(document.saveTo(path), QString());
-    document.disk().check();
+    look();
     EXPECT_EQ(said.size(), 0);
 }
 
 TEST_F(DiskTest, TheSameContentAgainIsNoChange) {
     writeByOthers(25.0);
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
+    EXPECT_EQ(look(), FileOnDisk::State::Changed);
     writeByOthers(9.0);
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Same);
+    EXPECT_EQ(look(), FileOnDisk::State::Same);
 }
 
 TEST_F(DiskTest, MineIsKeptAndNeedsSaving) {
     writeByOthers(25.0);
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
+    EXPECT_EQ(look(), FileOnDisk::State::Changed);
     document.keepMine();
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
     EXPECT_TRUE(document.needsSaving());
@@ -297,7 +301,7 @@ TEST_F(DiskTest, MineIsKeptAndNeedsSaving) {
 
 TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
     ASSERT_TRUE(QFile::remove(path));
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Missing);
+    EXPECT_EQ(look(), FileOnDisk::State::Missing);
     document.keepMine();
     EXPECT_TRUE(document.needsSaving());
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
@@ -318,7 +322,7 @@ TEST_F(DiskTest, AChangeWhileTheFileIsReadIsSeen) {
 
 TEST_F(DiskTest, MineIsKeptAgainstWhatWasSeenOnly) {
     writeByOthers(25.0);
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
+    EXPECT_EQ(look(), FileOnDisk::State::Changed);
     writeByOthers(36.0);
     document.keepMine();
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
@@ -326,7 +330,7 @@ TEST_F(DiskTest, MineIsKeptAgainstWhatWasSeenOnly) {
 
 TEST_F(DiskTest, TheLastCopyNeedsSaving) {
     const auto isLast = [this] {
-        document.disk().check();
+        look();
         return document.needsSaving();
     };
     writeByOthers(25.0);
