@@ -10726,7 +10726,7 @@ but at this l no α is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::CounterweightView</name>
+    <name>ravnoves::CrankViews</name>
     <message>
         <source>Rotating masses and counterweights</source>
         <translation>Вращающиеся массы и противовесы</translation>
@@ -10758,6 +10758,74 @@ but at this l no α is feasible</source>
     <message>
         <source>moment</source>
         <translation>момент</translation>
+    </message>
+    <message>
+        <source>Firing order</source>
+        <translation>Порядок работы</translation>
+    </message>
+    <message>
+        <source>No firing order given.</source>
+        <translation>Порядок работы не задан.</translation>
+    </message>
+    <message>
+        <source>even, every %1°</source>
+        <translation>равномерно, через %1°</translation>
+    </message>
+    <message>
+        <source>uneven, %1° to %2°</source>
+        <translation>неравномерно, от %1° до %2°</translation>
+    </message>
+    <message>
+        <source>One cycle of the crank, %1, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
+        <translation>Один цикл, %1 поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, текущий угол поворота.</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>цилиндр</translation>
+    </message>
+    <message>
+        <source>crank angle, °</source>
+        <translation>угол поворота вала, °</translation>
+    </message>
+    <message>
+        <source>interval, °</source>
+        <translation>интервал, °</translation>
+    </message>
+    <message>
+        <source>Balance shafts: arrangement and phases</source>
+        <translation>Балансирные валы: расположение и фазы</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>вкл.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>выкл.</translation>
+    </message>
+    <message>
+        <source>nothing to cancel</source>
+        <translation>гасить нечего</translation>
+    </message>
+    <message>
+        <source>recip. %1 → %2</source>
+        <translation>поступ. %1 → %2</translation>
+    </message>
+    <message>
+        <source>mρ %1</source>
+        <translation>mρ %1</translation>
+    </message>
+    <message>
+        <source>m %1</source>
+        <translation>m %1</translation>
+    </message>
+    <message>
+        <source>Shafts from the front at the present crank angle; red: cancelled part; dashed: axis and crankpin of cylinder 1.</source>
+        <translation>Валы спереди при текущем угле кривошипа; красное: уравновешиваемая часть; штрих: ось и шейка цилиндра 1.</translation>
+    </message>
+    <message>
+        <source>No balance shafts. Press “Add shaft” under Balancing.</source>
+        <translation>Балансирных валов нет. Нажмите «Добавить вал» на вкладке «Баланс».</translation>
     </message>
 </context>
 <context>
@@ -11406,41 +11474,6 @@ but at this l no α is feasible</source>
     <message>
         <source>“%1” already exists. Replace it?</source>
         <translation>«%1» уже есть. Заменить?</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::FiringWheel</name>
-    <message>
-        <source>Firing order</source>
-        <translation>Порядок работы</translation>
-    </message>
-    <message>
-        <source>No firing order given.</source>
-        <translation>Порядок работы не задан.</translation>
-    </message>
-    <message>
-        <source>even, every %1°</source>
-        <translation>равномерно, через %1°</translation>
-    </message>
-    <message>
-        <source>uneven, %1° to %2°</source>
-        <translation>неравномерно, от %1° до %2°</translation>
-    </message>
-    <message>
-        <source>One cycle of the crank, %1, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
-        <translation>Один цикл, %1 поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, текущий угол поворота.</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>цилиндр</translation>
-    </message>
-    <message>
-        <source>crank angle, °</source>
-        <translation>угол поворота вала, °</translation>
-    </message>
-    <message>
-        <source>interval, °</source>
-        <translation>интервал, °</translation>
     </message>
 </context>
 <context>
@@ -15763,45 +15796,6 @@ but at this l no α is feasible</source>
     <message>
         <source>Effect of gear error and play</source>
         <translation>Действие ошибки зацепления и зазора</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ShaftView</name>
-    <message>
-        <source>Balance shafts: arrangement and phases</source>
-        <translation>Балансирные валы: расположение и фазы</translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation>вкл.</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>выкл.</translation>
-    </message>
-    <message>
-        <source>nothing to cancel</source>
-        <translation>гасить нечего</translation>
-    </message>
-    <message>
-        <source>recip. %1 → %2</source>
-        <translation>поступ. %1 → %2</translation>
-    </message>
-    <message>
-        <source>mρ %1</source>
-        <translation>mρ %1</translation>
-    </message>
-    <message>
-        <source>m %1</source>
-        <translation>m %1</translation>
-    </message>
-    <message>
-        <source>Shafts from the front at the present crank angle; red: cancelled part; dashed: axis and crankpin of cylinder 1.</source>
-        <translation>Валы спереди при текущем угле кривошипа; красное: уравновешиваемая часть; штрих: ось и шейка цилиндра 1.</translation>
-    </message>
-    <message>
-        <source>No balance shafts. Press “Add shaft” under Balancing.</source>
-        <translation>Балансирных валов нет. Нажмите «Добавить вал» на вкладке «Баланс».</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QPainter>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,43 +12,62 @@
 #include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 
 namespace ravnoves {
 
+using inertia_moments::Balances;
 using inertia_moments::Complex;
+using inertia_moments::Direction;
 using inertia_moments::FiringEvent;
+using inertia_moments::ShaftDesign;
 
 namespace {
 
-void connectTo(InertiaMomentsModel* model, QWidget* widget) {
-    widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    QObject::connect(model, &SceneModel::changed, widget, qOverload<>(&QWidget::update));
-    QObject::connect(&Theme::instance(), &Theme::changed, widget, qOverload<>(&QWidget::update));
+using Model = InertiaMomentsModel;
+
+class CrankPicture final : public QWidget {
+  public:
+    using Paint = void (*)(QPainter& painter, Model& model, const QRectF& all);
+
+    CrankPicture(Model* model, const QString& name, Paint paint, QWidget* parent)
+        : QWidget(parent), model_(model), paint_(paint) {
+        setAccessibleName(name);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+        connect(model, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+        connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+    }
+
+    QSize sizeHint() const override { return {420, 260}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        painter.fillRect(rect(), Theme::instance().panel());
+        painter.setRenderHint(QPainter::Antialiasing);
+        paint_(painter, *model_, rect());
+    }
+
+  private:
+    Model* model_;
+    Paint paint_;
+};
+
+/// In the place of a picture.
+void paintWords(QPainter& painter, const QRectF& all, const QString& text) {
+    painter.setPen(Theme::instance().mutedText());
+    painter.setFont(Theme::font());
+    painter.drawText(all.adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-}  // namespace
-
-CounterweightView::CounterweightView(InertiaMomentsModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    setAccessibleName(name());
-    makeFigure(this);
-    setToolTip(
-        tr("The crank from the front with crankpin 1 up; angles from crankpin 1, "
-           "counter-clockwise, lags against the rotation."));
-    connectTo(model, this);
-}
-
-void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
+void paintCounterweights(QPainter& painter, Model& model, const QRectF& all) {
     const Theme& theme = Theme::instance();
-    const auto& result = model_->result();
-    QPainter painter(this);
-    painter.fillRect(rect(), theme.panel());
-    painter.setRenderHint(QPainter::Antialiasing);
-
+    const auto& result = model.result();
     const double keyWidth = Theme::withText(110);
-    const QRectF figure(8, 8, width() - keyWidth - 16, height() - 16);
+    const QRectF figure(8, 8, all.width() - keyWidth - 16, all.height() - 16);
     const double radius = 0.5 * std::min(figure.width(), figure.height()) - 22.0;
     const QPointF centre = figure.center();
     // Relative to crankpin 1, which points up.
@@ -60,7 +80,7 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
             const double largest =
                 std::max({std::abs(design.front.unbalance), std::abs(design.rear.unbalance),
                           1e3 * inertia_moments::zero_share * design.scale, 1e-300});
-            const bool on = model_->input().end_webs->enabled;
+            const bool on = model.input().end_webs->enabled;
             const auto weight = [&](const inertia_moments::Counterweight& w, QColor colour) {
                 const double share = std::abs(w.unbalance) / largest;
                 if (share < 1e-6) {
@@ -114,78 +134,44 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     // What the colours mean; sizes and angles are in the table.
     painter.setFont(Theme::font(Theme::smallSize));
     const double row = painter.fontMetrics().height() + 3.0;
-    QRectF key(width() - keyWidth, 12.0, keyWidth - 6.0, row);
+    QRectF key(all.width() - keyWidth, 12.0, keyWidth - 6.0, row);
     const auto say = [&](const QString& text, const QColor& colour) {
         painter.fillRect(QRectF(key.left(), key.center().y() - 4.5, 9.0, 9.0), colour);
         painter.setPen(theme.text());
         painter.drawText(key.adjusted(14.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, text);
         key.translate(0.0, row);
     };
-    say(tr("force"), theme.colour(Role::Rotating));
-    say(tr("moment"), theme.colour(Role::RotatingMoment));
+    say(CrankViews::tr("force"), theme.colour(Role::Rotating));
+    say(CrankViews::tr("moment"), theme.colour(Role::RotatingMoment));
     if (result.counterweights) {
-        say(tr("front web"), drawing::weightFill(Role::CrankWeight));
-        say(tr("rear web"), drawing::weightFill(Role::RearWeight));
+        say(CrankViews::tr("front web"), drawing::weightFill(Role::CrankWeight));
+        say(CrankViews::tr("rear web"), drawing::weightFill(Role::RearWeight));
     }
     painter.setPen(theme.mutedText());
-    painter.drawText(QRectF(key.left(), key.top() + 4.0, key.width(), height() - key.top()),
+    painter.drawText(QRectF(key.left(), key.top() + 4.0, key.width(), all.height() - key.top()),
                      Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
                      !result.counterweights
-                         ? tr("No counterweights: switch them on under Balancing.")
-                     : model_->input().end_webs->enabled ? QString()
-                                                         : tr("(switched off)"));
+                         ? CrankViews::tr("No counterweights: switch them on under Balancing.")
+                     : model.input().end_webs->enabled ? QString()
+                                                       : CrankViews::tr("(switched off)"));
 }
 
-FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    setAccessibleName(tr("Firing order"));
-    makeFigure(this, [this](const CsvFormat& format) {
-        if (model_->result().firing.empty()) {
-            return QString();
-        }
-        QString text = format.line({tr("cylinder"), tr("crank angle, °"), tr("interval, °")});
-        for (const FiringEvent& event : model_->result().firing) {
-            text += format.line({QString::number(event.cylinder),
-                                 format.number(event.crank_angle / degree),
-                                 format.number(event.interval / degree)});
-        }
-        return text;
-    });
-    const auto tell = [this] {
-        const QString cycle = withUnit(fixedNumber(model_->input().cycle() / degree, 0, QLocale()),
-                                       QStringLiteral("°"));
-        setToolTip(
-            tr("One cycle of the crank, %1, counter-clockwise from the top: cylinders in the "
-               "order of firing, the intervals between them, the present crank angle.")
-                .arg(cycle));
-    };
-    tell();
-    connect(model_, &SceneModel::changed, this, tell);
-    connectTo(model, this);
-    connect(model_->crank(), &CrankAngle::changed, this, qOverload<>(&QWidget::update));
-}
-
-void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
+void paintFiring(QPainter& painter, Model& model, const QRectF& all) {
     const Theme& theme = Theme::instance();
-    const auto& result = model_->result();
-    QPainter painter(this);
-    painter.fillRect(rect(), theme.panel());
-    painter.setRenderHint(QPainter::Antialiasing);
+    const auto& result = model.result();
     if (result.firing.empty()) {
-        painter.setPen(theme.mutedText());
-        painter.setFont(Theme::font());
-        painter.drawText(QRectF(rect()).adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                         result.firing_trouble.empty() ? tr("No firing order given.")
-                                                       : messageText(result.firing_trouble));
+        paintWords(painter, all,
+                   result.firing_trouble.empty() ? CrankViews::tr("No firing order given.")
+                                                 : messageText(result.firing_trouble));
         return;
     }
-    const double radius = 0.5 * std::min(width(), height()) - Theme::withText(34);
+    const double radius = 0.5 * std::min(all.width(), all.height()) - Theme::withText(34);
     if (radius < 16.0) {
         return;
     }
-    const QPointF centre = QRectF(rect()).center();
+    const QPointF centre = all.center();
     // A turn of the wheel is a cycle.
-    const double perCycle = two_pi / model_->input().cycle();
+    const double perCycle = two_pi / model.input().cycle();
     const auto place = [&](double crankAngle, double r) {
         const double angle = perCycle * crankAngle;
         return centre + QPointF(-std::sin(angle), -std::cos(angle)) * r;
@@ -228,7 +214,7 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
     const auto& engine = result.engine;
     const auto first = static_cast<std::size_t>(result.firing.front().cylinder) - 1;
     const double zero = engine.top_dead_centre(first) - engine.crank_phase(engine.cylinders[first]);
-    const double now = model_->crank()->degrees() * degree - zero;
+    const double now = model.crank()->degrees() * degree - zero;
     painter.setPen(QPen(theme.accent(), 2.0));
     painter.drawLine(centre, place(now, radius - Theme::withText(30)));
     painter.setBrush(theme.accent());
@@ -236,17 +222,201 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
     painter.drawEllipse(centre, 3.5, 3.5);
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
-    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
-                     even ? tr("even, every %1°").arg(fixedNumber(minimum / degree, 0, QLocale()))
-                          : tr("uneven, %1° to %2°")
-                                .arg(fixedNumber(minimum / degree, 1, QLocale()),
-                                     fixedNumber(maximum / degree, 1, QLocale())));
+    painter.drawText(
+        all.adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
+        even ? CrankViews::tr("even, every %1°").arg(fixedNumber(minimum / degree, 0, QLocale()))
+             : CrankViews::tr("uneven, %1° to %2°")
+                   .arg(fixedNumber(minimum / degree, 1, QLocale()),
+                        fixedNumber(maximum / degree, 1, QLocale())));
     std::vector<int> order;
     for (const FiringEvent& event : result.firing) {
         order.push_back(event.cylinder);
     }
-    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
+    painter.drawText(all.adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
                      InertiaMomentsModel::orderText(order));
+}
+
+void paintShaft(QPainter& painter, Model& model, const ShaftDesign& design, const QRectF& area) {
+    const Theme& theme = Theme::instance();
+    const auto& result = model.result();
+    const bool on = design.shaft.enabled;
+    const bool moment = design.shaft.balances == Balances::moment;
+    const double phi = model.crank()->degrees() * degree;
+    const double sign = design.shaft.direction == Direction::forward ? 1.0 : -1.0;
+    const double turned = sign * design.shaft.order * phi;
+
+    painter.setPen(QPen(theme.border(), 1.0));
+    QColor back = theme.good();
+    back.setAlphaF(on ? 0.08F : 0.0F);
+    painter.setBrush(back);
+    painter.drawRoundedRect(area, 4, 4);
+
+    painter.setFont(Theme::font(Theme::smallSize, true));
+    painter.setPen(on ? theme.good() : theme.mutedText());
+    const QString state = on ? CrankViews::tr("on") : CrankViews::tr("off");
+    const QFontMetricsF small(Theme::font(Theme::smallSize));
+    const double room = area.width() - 12.0;
+    const auto fitted = [&](const QString& words, double width) {
+        return painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(width));
+    };
+    painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignLeft,
+                     fitted((on ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ")) +
+                                model.shaftTitle(design.shaft),
+                            room - small.horizontalAdvance(state) - 4.0));
+    painter.setFont(Theme::font(Theme::smallSize));
+    painter.setPen(theme.mutedText());
+    painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignRight, state);
+
+    const Unit& unit = moment ? units::N_m : units::newton;
+    QStringList lines;
+    if (design.phase) {  // without one there is nothing to cancel but rounding
+        lines << CrankViews::tr("mρ %1").arg(shownShort(design.unbalance, units::gram_mm, 4));
+        if (design.mass) {
+            lines << CrankViews::tr("m %1").arg(shownShort(*design.mass, units::gram, 4));
+        }
+        lines << CrankViews::tr("recip. %1 → %2")
+                     .arg(shownDigits(design.before, unit, 0),
+                          shownNumber(design.remaining, unit, 0));
+    } else {
+        lines << CrankViews::tr("nothing to cancel");
+    }
+    for (QString& line : lines) {
+        line = fitted(line, room + 4.0);
+    }
+    painter.setPen(design.phase ? theme.text() : theme.mutedText());
+    const double row = painter.fontMetrics().height();
+    const double text = row * (design.mass ? 3.0 : 2.0) + 5.0;
+    painter.drawText(area.adjusted(6, area.height() - text, -2, 0), Qt::AlignTop | Qt::AlignLeft,
+                     lines.join(QLatin1Char('\n')));
+
+    const QRectF figure = area.adjusted(6, row + 5.0, -6, -text);
+    const double radius = 0.5 * std::min(figure.width(), figure.height()) - 6.0;
+    if (radius < 12.0) {
+        return;
+    }
+    const QPointF centre = figure.center();
+    painter.setPen(QPen(theme.grid(), 1.0));
+    painter.drawLine(centre - QPointF(radius, 0), centre + QPointF(radius, 0));
+    painter.drawLine(centre - QPointF(0, radius), centre + QPointF(0, radius));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(centre, radius, radius);
+    const auto ray = [&](double angle, Qt::PenStyle pen, const QColor& colour) {
+        painter.setPen(QPen(colour, 1.1, pen));
+        painter.drawLine(centre, centre + QPointF(std::cos(angle), -std::sin(angle)) * radius);
+    };
+    const double axis = result.engine.cylinders.front().bank_angle + pi / 2.0;
+    ray(axis, Qt::DashDotLine, theme.mutedText());
+    ray(axis + phi, Qt::DashLine, theme.accent());
+
+    double largest = 1e-300;
+    for (const ShaftDesign& each : result.shafts) {
+        if (each.shaft.balances == design.shaft.balances) {
+            largest = std::max(largest, std::abs(each.target));
+        }
+    }
+    const double length = radius * std::max(0.2, std::abs(design.target) / largest);
+    if (design.phase) {
+        const double weight = *design.phase + turned;
+        const double size = 0.62 * radius;
+        QColor faint = drawing::weightFill(Role::ShaftWeight);
+        if (moment) {
+            faint.setAlphaF(0.45F);
+            drawing::drawWeight(painter, centre, weight + pi, 0.8 * size, faint, theme.mutedText());
+        }
+        QColor front = drawing::weightFill(Role::ShaftWeight);
+        front.setAlphaF(on ? 1.0F : 0.45F);
+        drawing::drawWeight(painter, centre, weight, size, front,
+                            on ? theme.text() : theme.mutedText());
+        const double target = std::arg(design.target) + turned;
+        drawing::drawArrow(painter, centre,
+                           centre + QPointF(std::cos(target), -std::sin(target)) * length,
+                           theme.error(), 2.2);
+    }
+    painter.setPen(QPen(theme.text(), 1.2));
+    painter.setBrush(theme.panel());
+    painter.drawEllipse(centre, 3.0, 3.0);
+    drawing::drawTurning(painter, centre, radius + 3.0, sign > 0.0 ? 0.15 : pi - 0.15, sign * 0.9,
+                         on ? theme.good() : theme.mutedText());
+}
+
+void paintShafts(QPainter& painter, Model& model, const QRectF& all) {
+    const auto& shafts = model.result().shafts;
+    const int count = static_cast<int>(shafts.size());
+    if (count == 0) {
+        paintWords(painter, all,
+                   CrankViews::tr("No balance shafts. Press “Add shaft” under Balancing."));
+        return;
+    }
+    const auto rowsOf = [&](int columns) { return (count + columns - 1) / columns; };
+    // The columns that make each picture largest.
+    int columns = 1;
+    double largest = 0.0;
+    for (int tried = 1; tried <= count; ++tried) {
+        const double each = std::min(all.width() / tried, all.height() / rowsOf(tried) - 34.0);
+        if (each > largest) {
+            largest = each;
+            columns = tried;
+        }
+    }
+    const QSizeF cell(all.width() / columns, all.height() / rowsOf(columns));
+    for (int i = 0; i < count; ++i) {
+        const QPointF corner((i % columns) * cell.width(), (i / columns) * cell.height());
+        paintShaft(painter, model, shafts[static_cast<std::size_t>(i)],
+                   QRectF(corner, cell).adjusted(3, 3, -3, -3));
+    }
+}
+
+}  // namespace
+
+QWidget* counterweightView(Model* model, QWidget* parent) {
+    auto* view = new CrankPicture(model, CrankViews::tr("Rotating masses and counterweights"),
+                                  paintCounterweights, parent);
+    view->setToolTip(
+        CrankViews::tr("The crank from the front with crankpin 1 up; angles from crankpin 1, "
+                       "counter-clockwise, lags against the rotation."));
+    makeFigure(view);
+    return view;
+}
+
+QWidget* firingWheel(Model* model, QWidget* parent) {
+    auto* view = new CrankPicture(model, CrankViews::tr("Firing order"), paintFiring, parent);
+    makeFigure(view, [model](const CsvFormat& format) {
+        if (model->result().firing.empty()) {
+            return QString();
+        }
+        QString text = format.line({CrankViews::tr("cylinder"), CrankViews::tr("crank angle, °"),
+                                    CrankViews::tr("interval, °")});
+        for (const FiringEvent& event : model->result().firing) {
+            text += format.line({QString::number(event.cylinder),
+                                 format.number(event.crank_angle / degree),
+                                 format.number(event.interval / degree)});
+        }
+        return text;
+    });
+    const auto tell = [model, view] {
+        const QString cycle = withUnit(fixedNumber(model->input().cycle() / degree, 0, QLocale()),
+                                       QStringLiteral("°"));
+        view->setToolTip(
+            CrankViews::tr(
+                "One cycle of the crank, %1, counter-clockwise from the top: cylinders in the "
+                "order of firing, the intervals between them, the present crank angle.")
+                .arg(cycle));
+    };
+    tell();
+    QObject::connect(model, &SceneModel::changed, view, tell);
+    QObject::connect(model->crank(), &CrankAngle::changed, view, qOverload<>(&QWidget::update));
+    return view;
+}
+
+QWidget* shaftView(Model* model, QWidget* parent) {
+    auto* view = new CrankPicture(model, CrankViews::tr("Balance shafts: arrangement and phases"),
+                                  paintShafts, parent);
+    view->setToolTip(CrankViews::tr(
+        "Shafts from the front at the present crank angle; red: cancelled part; dashed: axis "
+        "and crankpin of cylinder 1."));
+    makeFigure(view);
+    QObject::connect(model->crank(), &CrankAngle::changed, view, qOverload<>(&QWidget::update));
+    return view;
 }
 
 }  // namespace ravnoves

@@ -1,46 +1,26 @@
 #pragma once
 
-#include <QWidget>
+#include <QCoreApplication>
 
-#include "theme/theme.h"
+class QWidget;
 
 namespace ravnoves {
 
 class InertiaMomentsModel;
 
+/// The words of the pictures of the crank's balancing.
+struct CrankViews {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::CrankViews)
+};
+
 /// The crank star with the rotating masses' force and moment and the counterweights of the end
 /// webs (the paper's Fig. 9), crankpin 1 up.
-class CounterweightView : public QWidget {
-    Q_OBJECT
-
-  public:
-    explicit CounterweightView(InertiaMomentsModel* model, QWidget* parent = nullptr);
-    /// Its name, as of the table with the same content.
-    static QString name() { return tr("Rotating masses and counterweights"); }
-    QSize sizeHint() const override { return {420, 260}; }
-    QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
-
-  protected:
-    void paintEvent(QPaintEvent* event) override;
-
-  private:
-    InertiaMomentsModel* model_;
-};
-
+QWidget* counterweightView(InertiaMomentsModel* model, QWidget* parent);
 /// The firing order as a wheel of 720°, with the intervals and the present crank angle.
-class FiringWheel : public QWidget {
-    Q_OBJECT
-
-  public:
-    explicit FiringWheel(InertiaMomentsModel* model, QWidget* parent = nullptr);
-    QSize sizeHint() const override { return {420, 260}; }
-    QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
-
-  protected:
-    void paintEvent(QPaintEvent* event) override;
-
-  private:
-    InertiaMomentsModel* model_;
-};
+QWidget* firingWheel(InertiaMomentsModel* model, QWidget* parent);
+/// Arrangement and phases of the balance shafts (the paper's Figs. 7 and 8), each at the present
+/// crank angle: its target, its weights opposite, its direction, the cylinder axis and the crankpin
+/// where its phase begins.
+QWidget* shaftView(InertiaMomentsModel* model, QWidget* parent);
 
 }  // namespace ravnoves
