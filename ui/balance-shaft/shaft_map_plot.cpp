@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "balance-shaft/change_colours.h"
-#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_drawing.h"
 #include "model/reference_case.h"
 #include "numerics/units.h"
@@ -50,7 +49,7 @@ ShaftMapModel::Position ShaftMapPlot::placeAt(const QPointF& pixel) const {
 }
 
 QString ShaftMapPlot::csv(const CsvFormat& format) const {
-    return shaft_map_text::fieldCsv(*map_, format);
+    return map_->fieldCsv(format);
 }
 
 void ShaftMapPlot::showImage() {
@@ -205,10 +204,9 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     setCursor(isHandle(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
     const bool inside = plotArea().contains(event->position());
     const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;
-    Q_EMIT hovered(!inside ? QString()
-                   : marker != nullptr
-                       ? shaft_map_text::place(*map_, marker->position)
-                       : shaft_map_text::place(*map_, placeAt(event->position()), 1));
+    Q_EMIT hovered(!inside             ? QString()
+                   : marker != nullptr ? map_->placeText(marker->position)
+                                       : map_->placeText(placeAt(event->position()), 1));
 }
 
 void ShaftMapPlot::mouseReleaseEvent(QMouseEvent* event) {
@@ -244,7 +242,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && dragging_) {
         model_->takeBack();
         endDrag();
-        Q_EMIT hovered(shaft_map_text::place(*map_, map_->present()));
+        Q_EMIT hovered(map_->placeText(map_->present()));
         return;
     }
     PlotView::keyPressEvent(event);
@@ -256,7 +254,7 @@ bool ShaftMapPlot::event(QEvent* event) {
         const QPointF at = help->pos();
         if (plotArea().contains(at)) {
             // Over the map only what there is to say of the place: how to use it is beside.
-            QToolTip::showText(help->globalPos(), shaft_map_text::reason(*map_, placeAt(at)), this);
+            QToolTip::showText(help->globalPos(), map_->reasonAt(placeAt(at)), this);
             return true;
         }
     }

@@ -11,7 +11,6 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
-#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "balance-shaft/shaft_tabs.h"
 #include "numerics/units.h"
@@ -54,7 +53,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
         if (isVisible()) {
             map_->need();
             showPresent();
-            showWords(map_->isAtBest() ? QString() : shaft_map_text::place(*map_, map_->present()));
+            showWords(map_->isAtBest() ? QString() : map_->placeText(map_->present()));
         }
     });
     showMap();
@@ -157,10 +156,10 @@ void ShaftMapView::fitWords() {
     const bool isNarrow = width() < Theme::withText(500);
     const bool isWide = width() >= Theme::withText(600);
     // What is read under the pointer is shorter than the best place.
-    const int needed = words_->fontMetrics()
-                           .boundingRect(QRect(0, 0, width(), 10000), Qt::TextWordWrap,
-                                         shaft_map_text::best(*map_))
-                           .height();
+    const int needed =
+        words_->fontMetrics()
+            .boundingRect(QRect(0, 0, width(), 10000), Qt::TextWordWrap, map_->answer())
+            .height();
     const int rows = isNarrow ? 5 : isWide ? 3 : 4;
     wordsRoom_->setFixedHeight(std::max(rows * words_->fontMetrics().lineSpacing(), needed) + 2);
 }
@@ -185,7 +184,7 @@ void ShaftMapView::showStale() {
 }
 
 void ShaftMapView::showWords(const QString& hovered) {
-    const QString text = hovered.isEmpty() ? shaft_map_text::best(*map_) : hovered;
+    const QString text = hovered.isEmpty() ? map_->answer() : hovered;
     words_->setText(text);
     words_->setToolTip(text);
 }
@@ -194,11 +193,11 @@ void ShaftMapView::showPresent() {
     distance_->follow();
     // What the best place would change is seen from here.
     const QString why =
-        nothingIsBuilt() ? messageText(map_->map()->buildable.reason) : shaft_map_text::best(*map_);
+        nothingIsBuilt() ? messageText(map_->map()->buildable.reason) : map_->answer();
     const ShaftMapModel::Marker* best = map_->best();
     best_->setEnabled(best != nullptr && best->isBuildable && !map_->isAtBest());
     best_->setToolTip(why);
-    plot_->setAccessibleDescription(shaft_map_text::place(*map_, map_->present()));
+    plot_->setAccessibleDescription(map_->placeText(map_->present()));
 }
 
 /// Goes to the place whose point lies nearest on the screen.

@@ -12,7 +12,6 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
-#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/shaft_tabs.h"
@@ -122,7 +121,7 @@ TEST_F(ShaftMapTest, ADragMovesTheAxisInOneStep) {
     EXPECT_DOUBLE_EQ(2.0 * length() / mm, std::round(2.0 * length() / mm));
     EXPECT_DOUBLE_EQ(2.0 * model->shaftAngleDeg(), std::round(2.0 * model->shaftAngleDeg()));
     EXPECT_EQ(model->history()->count(), 1);  // however far it goes
-    EXPECT_EQ(words(), shaft_map_text::place(*map, map->present()));
+    EXPECT_EQ(words(), map->placeText(map->present()));
     QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + away).toPoint());
     EXPECT_EQ(model->history()->count(), 1);
     // All follows: the sliders, the moments, the field of the form.
@@ -177,7 +176,7 @@ TEST_F(ShaftMapTest, GoesToMarkersAndPlaces) {
     QTest::keyClick(plot, Qt::Key_Right);
     ASSERT_TRUE(plot->data().pointRead);
     EXPECT_EQ(plot->data().curve(0).text(0).section(QLatin1Char('\n'), 0, 0),
-              shaft_map_text::placeLines(*map, marker.position).front());
+              map->placeLines(marker.position).front());
 }
 
 TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
@@ -195,7 +194,7 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
         const bool is = all.study.obstacle(place) != Obstacle::none;
         blocked += is ? 1 : 0;
         wrong += hatched.contains(QPointF(place.x, place.y)) != is ? 1 : 0;
-        EXPECT_EQ(shaft_map_text::reason(*map, place).isEmpty(), !is);
+        EXPECT_EQ(map->reasonAt(place).isEmpty(), !is);
     }
     EXPECT_GT(blocked, 50);
     EXPECT_LT(blocked, 450);
@@ -205,11 +204,11 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
     const QString over = words();
     EXPECT_TRUE(over.contains(QStringLiteral("20.0\u00A0mm"))) << over.toStdString();
     EXPECT_TRUE(over.contains(QStringLiteral("N·m"))) << over.toStdString();
-    EXPECT_TRUE(over.contains(shaft_map_text::reason(*map, {0.0, 20 * mm}))) << over.toStdString();
-    EXPECT_FALSE(shaft_map_text::reason(*map, {0.0, 20 * mm}).isEmpty());
+    EXPECT_TRUE(over.contains(map->reasonAt({0.0, 20 * mm}))) << over.toStdString();
+    EXPECT_FALSE(map->reasonAt({0.0, 20 * mm}).isEmpty());
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(plot, &leave);
-    EXPECT_EQ(words(), shaft_map_text::best(*map));
+    EXPECT_EQ(words(), map->answer());
 }
 
 /// However far the area reaches, as that of a map does that is zoomed into.
@@ -332,7 +331,7 @@ TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
     wait();
     const Position beyond{75 * mm, -80 * mm};
     EXPECT_EQ(map->map()->study.obstacle(beyond), Obstacle::limits);
-    EXPECT_FALSE(shaft_map_text::reason(*map, beyond).isEmpty());
+    EXPECT_FALSE(map->reasonAt(beyond).isEmpty());
     for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
         model->setPlaceCriterion(criterion);
         ASSERT_NE(map->best(), nullptr);
@@ -420,7 +419,7 @@ TEST_F(ShaftMapTest, AMoveAfterEscapeWaitsForTheHandToLetGo) {
     QTest::mousePress(plot, Qt::LeftButton, {}, from.toPoint());
     move(from + QPointF(40.0, 40.0));
     QTest::keyClick(plot, Qt::Key_Escape);
-    const QString here = shaft_map_text::place(*map, map->present());
+    const QString here = map->placeText(map->present());
     EXPECT_EQ(words(), here);
     QSignalSpy cursor(plot, &PlotView::cursorMoved);
     move(from + QPointF(60.0, 20.0));
@@ -457,15 +456,14 @@ TEST_F(ShaftMapTest, WhatIsShownRestsDuringADragAndFollowsAfterIt) {
 
 TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
     const QString worse = QStringLiteral("Worse than without a shaft");
-    EXPECT_FALSE(shaft_map_text::best(*map).contains(worse));
+    EXPECT_FALSE(map->answer().contains(worse));
     // So far away that every place adds more than it takes.
     change([](balance_shaft::Input& input) { input.place_limits.centre_distance_min = 400 * mm; });
     wait();
     ASSERT_NE(map->best(), nullptr);
     ASSERT_TRUE(map->best()->isBuildable);
     EXPECT_GT(*map->change(map->best()->criteria), 0.0);
-    EXPECT_TRUE(shaft_map_text::best(*map).contains(worse))
-        << shaft_map_text::best(*map).toStdString();
+    EXPECT_TRUE(map->answer().contains(worse)) << map->answer().toStdString();
     EXPECT_TRUE(best->isEnabled());
 }
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "balance-shaft/model/shaft_map_model.h"
-#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "numerics/constants.h"
 #include "text/number_text.h"
@@ -45,7 +44,7 @@ Figure places(const BalanceShaftModel& model) {
                         .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
                        {marker.position.x / units::mm}, {marker.position.y / units::mm});
         curve.text = [places = model.shaftMap(), at = marker.position](std::size_t) {
-            return shaft_map_text::placeLines(*places, at).join(QLatin1Char('\n'));
+            return places->placeLines(at).join(QLatin1Char('\n'));
         };
     }
     return figure;
@@ -98,7 +97,7 @@ Figure front(const BalanceShaftModel& model) {
                     .toolTip = ShaftParts::tr("Pareto-optimal in range, RMS and size")},
                    std::move(all.x), std::move(all.y));
     shown.text = [places, positions = std::move(positions)](std::size_t point) {
-        return shaft_map_text::placeLines(*places, positions[point], 1).join(QLatin1Char('\n'));
+        return places->placeLines(positions[point], 1).join(QLatin1Char('\n'));
     };
     figure.add("efficient",
                {.name = ShaftParts::tr("by this criterion"),

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <QObject>
-#include <QString>
+#include <QPolygonF>
+#include <QStringList>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,23 +10,44 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/change_contours.h"
-#include "balance-shaft/model/shaft_map.h"
+#include "balance-shaft/position_study.h"
 
 namespace ravnoves {
 
 class BackgroundJob;
+struct CsvFormat;
+
+/// The range and RMS over the places of the shaft's axis, and the best ones, independent of the
+/// present axis. Lengths in m, moments in N·m.
+struct ShaftMap {
+    using Position = balance_shaft::ShaftPosition;
+    using Criteria = balance_shaft::PositionCriteria;
+
+    /// Half of the square to show: it contains the best places and this l, with room around.
+    double viewFor(double centreDistance) const;
+
+    balance_shaft::PositionStudy study;
+    double view = 0.0;  ///< half of the square that is shown first
+    balance_shaft::PositionMap field = {};
+    /// Infeasible places: closed lines, to be filled by the odd-even rule.
+    std::vector<QPolygonF> blocked = {};
+    balance_shaft::BestPositions best = {};
+    balance_shaft::BestPositions buildable = {};
+    /// Of each criterion the smallest place that is at most a hundredth worse.
+    std::optional<balance_shaft::BestPosition> smallRange = {}, smallRms = {};
+    std::vector<balance_shaft::BestPosition> front = {};
+};
 
 /// The map of the places of the shaft's axis: the latest map (ShaftMap), its values by the
-/// criterion, places worth seeing, and the moves of the axis over it. Its texts are
-/// shaft_map_text's.
+/// criterion, places worth seeing, the moves of the axis over it, and what it says as text.
 ///
 /// The map is made in the background when the input changes; a moving shaft does not change it.
 class ShaftMapModel : public QObject {
     Q_OBJECT
 
   public:
-    using Position = balance_shaft::ShaftPosition;
-    using Criteria = balance_shaft::PositionCriteria;
+    using Position = ShaftMap::Position;
+    using Criteria = ShaftMap::Criteria;
     using Criterion = BalanceShaftModel::Criterion;
 
     /// A place worth seeing.
@@ -49,8 +71,6 @@ class ShaftMapModel : public QObject {
     /// The map made last, or null; isStale() where a newer one is on the way.
     const ShaftMap* map() const { return map_.get(); }
     bool isStale() const;
-    /// Why there is no map; empty where there is one or it is on the way.
-    QString trouble() const { return trouble_; }
 
     Criterion criterion() const { return model_->placeCriterion(); }
     bool byRange() const { return criterion() == Criterion::range; }
@@ -87,6 +107,18 @@ class ShaftMapModel : public QObject {
     void goToBest();
     double largestDistance() const;  ///< that a slider should reach, m
 
+    /// The best place, and the gain of an infeasible one; or why there is no map.
+    QString answer() const;
+    /// One place: l, α, range, RMS, change, size, and its obstacle if it is infeasible.
+    /// @param decimals  of l and α; 2 name a place of shortened()
+    QString placeText(const Position& position, int decimals = 2) const;
+    /// The same but for the reason, a line each.
+    QStringList placeLines(const Position& position, int decimals = 2) const;
+    /// Why the shaft is infeasible there; empty where it fits.
+    QString reasonAt(const Position& position) const;
+    /// Range, RMS and feasibility over a grid of places.
+    QString fieldCsv(const CsvFormat& format) const;
+
   Q_SIGNALS:
     /// The map, the criterion or what follows them is new.
     void mapChanged();
@@ -110,8 +142,8 @@ class ShaftMapModel : public QObject {
     std::optional<balance_shaft::Input> mapped_;  ///< what the map is made of, or will be
     int seen_ = -1;                               ///< solutions, at the last look
     bool isMapped_ = false;                       ///< the case was that, at the last look
-    QString trouble_;
-    Position seenAt_;  ///< of the shaft, when it last moved
+    QString trouble_;                             ///< why there is no map, and none is on the way
+    Position seenAt_;                             ///< of the shaft, when it last moved
     ChangeContours field_;
     std::vector<Marker> markers_;
 };

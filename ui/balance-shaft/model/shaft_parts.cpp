@@ -3,7 +3,6 @@
 #include <array>
 
 #include "balance-shaft/model/shaft_map_model.h"
-#include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "numerics/constants.h"
 
@@ -26,7 +25,7 @@ Notes notes(const Model& model) {
 
 Notes bestPlace(const Model& model) {
     const ShaftMapModel* map = model.shaftMap();
-    return map != nullptr ? Notes::of(Severity::note, shaft_map_text::best(*map)) : Notes();
+    return map != nullptr ? Notes::of(Severity::note, map->answer()) : Notes();
 }
 
 Notes bestCompromise(const Model& model) {
