@@ -1,25 +1,50 @@
 #include "balance-shaft/shaft_map_plot.h"
 
-#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QToolTip>
+#include <QTransform>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "balance-shaft/change_colours.h"
-#include "balance-shaft/shaft_map_drawing.h"
+#include "balance-shaft/solver.h"
 #include "model/reference_case.h"
+#include "numerics/constants.h"
 #include "numerics/units.h"
 #include "pictures/figure.h"
+#include "pictures/model/pixel.h"
+#include "pictures/model/shape.h"
+#include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
 
+namespace {
+
+constexpr double handleRadius = 6.5;  ///< of the shaft's axis, by which it is dragged; pixels
+
+/// A circle that may be far larger than the map: a disc would measure every pixel inside.
+void drawCircle(QPainter& painter, const QPointF& middle, double radius) {
+    constexpr int chords = 720;
+    QPolygonF circle;
+    circle.reserve(chords + 1);
+    for (int i = 0; i <= chords; ++i) {
+        const double angle = two_pi * i / chords;
+        circle << middle + radius * QPointF(std::cos(angle), std::sin(angle));
+    }
+    paintLine(painter, circle);
+}
+
+}  // namespace
+
 ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
-    : PartPlot(model, "places", parent), model_(model), map_(model->shaftMap()) {
+    : ChangeMapPlot(model, "places", Theme::margin, parent),
+      model_(model),
+      map_(model->shaftMap()) {
     setObjectName(QStringLiteral("shaft_map"));
     setToolTip(
         tr("Front view to scale; thick line: no change; hatched: does not fit. Drag the shaft, or "
@@ -28,20 +53,19 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
         tr("Drag the shaft, or double-click its new place. The sliders of l and α move it "
            "by keys."));
     setPaintsGhosts();
-    connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showImage);
+    connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showField);
     connect(map_, &ShaftMapModel::staleChanged, this, [this] {
         overCurvesChanged();
         setFaded(map_->isStale());
     });
     connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
     connect(model_->crank(), &CrankAngle::changed, this, &ShaftMapPlot::overCurvesChanged);
-    connect(&Theme::instance(), &Theme::changed, this, &ShaftMapPlot::showImage);
     setFaded(map_->isStale());
-    showImage();
+    showField();
 }
 
 QPointF ShaftMapPlot::pixelOf(const ShaftMapModel::Position& position) const {
-    return frameOf(*this).at(position);
+    return frame().at(position);
 }
 
 ShaftMapModel::Position ShaftMapPlot::placeAt(const QPointF& pixel) const {
@@ -52,11 +76,6 @@ QString ShaftMapPlot::csv(const CsvFormat& format) const {
     return map_->fieldCsv(format);
 }
 
-void ShaftMapPlot::showImage() {
-    const ChangeContours& field = map_->field();
-    setImage(field.changes.empty() ? QImage() : changeImage(field), field.where);
-}
-
 // The reference.
 
 const ShaftMapModel* ShaftMapPlot::referenceMap() const {
@@ -64,37 +83,21 @@ const ShaftMapModel* ShaftMapPlot::referenceMap() const {
     return other != nullptr && data().referenceShown ? other->shaftMap() : nullptr;
 }
 
-double ShaftMapPlot::keyHeight() const {
-    return map_->field().levels.empty() ? 0.0 : changeKeyHeight();
-}
-
 // What rests.
 
-void ShaftMapPlot::paintGround(QPainter& painter) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (!map_->field().levels.empty()) {
-        paintChangeKey(painter, map_->field().levels, QPointF(Theme::margin, keyTop()),
-                       width() - 2.0 * Theme::margin);
+void ShaftMapPlot::paintOnField(QPainter& painter) {
+    if (map_->map() != nullptr) {
+        paintBlocked(painter);
+        paintLimits(painter);
+        paintReference(painter);
     }
-    if (map_->map() == nullptr) {
-        return;
-    }
-    painter.save();
-    painter.setClipRect(plotArea());
-    drawBlocked(painter, map_->map()->blocked, *this);
-    drawLimits(painter, model_->input().place_limits, *this);
-    if (const ShaftMapModel* other = referenceMap()) {
-        drawReference(painter, *other, *this);
-    }
-    drawContours(painter, map_->field(), *this);
-    painter.restore();
 }
 
 void ShaftMapPlot::paintOverCurves(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
     painter.setClipRect(plotArea());
-    drawEngine(painter, *model_, *this);
+    paintEngine(painter);
     if (isFaded()) {
         // The numbers are old; that newer ones come stands where they do not meet the drawing.
         painter.setFont(Theme::font(Theme::baseSize));
@@ -111,7 +114,7 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
     painter.setClipRect(plotArea());
-    drawShaft(painter, *model_, *map_, referenceMap(), *this);
+    paintShaft(painter);
     if (dragging_) {
         paintChange(painter);
     }
@@ -141,6 +144,179 @@ void ShaftMapPlot::paintChange(QPainter& painter) const {
     painter.drawRoundedRect(box, 4, 4);
     painter.setPen(theme.text());
     painter.drawText(box, Qt::AlignCenter, text);
+}
+
+drawing::Frame ShaftMapPlot::frame() const {
+    const QPointF origin = toPixel(0.0, 0.0);
+    return {origin, (toPixel(1.0, 0.0).x() - origin.x()) / units::mm.to_si};
+}
+
+QPolygonF ShaftMapPlot::inFrame(const QPolygonF& metres) const {
+    const drawing::Frame to = frame();
+    const double k = to.pixelsPerUnit;
+    return QTransform(k, 0.0, 0.0, -k, to.origin.x(), to.origin.y()).map(metres);
+}
+
+void ShaftMapPlot::paintBlocked(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    QPainterPath path;
+    LinesOfPen edges{QPen(faint(theme.text(), 0.7), 1.0), {}};
+    for (const QPolygonF& line : map_->map()->blocked) {
+        QPolygonF edge = inFrame(line);
+        path.addPolygon(edge);
+        path.closeSubpath();
+        // Round its corners, the first of them, too.
+        edge << edge.value(0) << edge.value(1);
+        edges.lines.push_back(std::move(edge));
+    }
+    if (path.isEmpty()) {
+        return;
+    }
+    constexpr double apart = 7.0;  // lines of the hatch, pixels
+    painter.fillPath(path, faint(theme.panel(), 0.38));
+    // Lines at 45° need no smoothing, which takes most of a turn of the wheel.
+    const bool onPixels = paintsPixels(painter);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, !onPixels);
+    painter.setPen(QPen(faint(theme.text(), 0.3), onPixels ? 0.0 : 1.0));
+    for (const QPolygonF& line : hatchLines(path, plotArea(), apart, 1.0)) {
+        painter.drawPolyline(line);
+    }
+    painter.restore();
+    paintLines(painter, {edges});
+}
+
+void ShaftMapPlot::paintLimits(QPainter& painter) const {
+    const balance_shaft::PlaceLimits& limits = model_->input().place_limits;
+    const drawing::Frame frame = this->frame();
+    const QRectF area = plotArea();
+    QPen pen(Theme::instance().error(), 1.4);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(pen);
+    for (const auto& x : {limits.left, limits.right}) {
+        if (x) {
+            const double at = frame.at(*x, 0.0).x();
+            painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
+        }
+    }
+    for (const auto& y : {limits.bottom, limits.top}) {
+        if (y) {
+            const double at = frame.at(0.0, *y).y();
+            painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
+        }
+    }
+    const QPointF crank = frame.at(0.0, 0.0);
+    for (const auto& distance : {limits.centre_distance_min, limits.centre_distance_max}) {
+        if (distance) {
+            drawCircle(painter, crank, frame.length(*distance));
+        }
+    }
+    pen.setStyle(Qt::DashLine);
+    painter.setPen(pen);
+    const double far = area.width() + area.height();
+    for (const auto& angle : {limits.shaft_angle_from, limits.shaft_angle_to}) {
+        if (angle) {
+            painter.drawLine(crank, crank + far * QPointF(std::sin(*angle), -std::cos(*angle)));
+        }
+    }
+}
+
+void ShaftMapPlot::paintReference(QPainter& painter) const {
+    const ShaftMapModel* other = referenceMap();
+    if (other == nullptr || other->map() == nullptr) {
+        return;
+    }
+    // Wide and pale, as ghosts of curves are.
+    const Theme& theme = Theme::instance();
+    const auto wide = [&](double alpha, double width) {
+        return QPen(faint(theme.text(), alpha), strokeScale() * width, Qt::SolidLine, Qt::FlatCap,
+                    Qt::BevelJoin);
+    };
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(wide(0.18, 4.0));
+    for (const QPolygonF& line : other->map()->blocked) {
+        painter.drawPolygon(inFrame(line));
+    }
+    painter.setPen(wide(0.34, 6.0));
+    for (const ChangeContours::Contour& contour : other->field().contours) {
+        for (const QPolygonF& line : contour.lines) {
+            if (contour.level == 0.0) {
+                painter.drawPolyline(inPixels(line));
+            }
+        }
+    }
+}
+
+void ShaftMapPlot::paintEngine(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const balance_shaft::FrontView& sizes = model_->solver().front_view();
+    const auto pose = balance_shaft::mechanism_pose(
+        model_->solver(), model_->crank()->degrees() * degree, model_->input().shaft_angle);
+    const drawing::Frame frame = this->frame();
+    const double k = frame.pixelsPerUnit;
+    const QColor line = faint(theme.text(), 0.75);
+    const QColor metal = faint(drawing::metal(), 0.72);
+    const QPointF crank = frame.at(0, 0);
+    const QPointF pin = frame.at(pose.crankpin);
+    const QPointF piston = frame.at(pose.piston_pin);
+
+    const double e = sizes.offset;
+    const double bore = sizes.cylinder_bore;
+    const double wall = std::max(sizes.cylinder_wall, 2.0 / k);
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(metal);
+    for (const double side : {-1.0, 1.0}) {
+        paintBlock(painter,
+                   QRectF(frame.at(e + side * bore / 2, sizes.cylinder_top),
+                          frame.at(e + side * (bore / 2 + wall), sizes.cylinder_bottom)),
+                   0.0);
+    }
+    const double height = 0.75 * bore;
+    const double top = std::min(pose.piston_pin.y + 0.45 * height, sizes.cylinder_top);
+    painter.setBrush(faint(drawing::brightMetal(), 0.72));
+    paintBlock(painter, QRectF(frame.at(e - bore / 2, top), frame.at(e + bore / 2, top - height)),
+               3.0);
+    painter.setPen(QPen(line, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    drawCircle(painter, crank, frame.length(sizes.crank_swing_radius));
+    const double thick = std::clamp(0.3 * sizes.crank_radius * k, 4.0, 14.0);
+    drawing::drawRod(painter, pin, piston, 0.6 * thick, metal, line);
+    drawing::drawRod(painter, crank, pin, thick, metal, line);
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(theme.panel());
+    for (const QPointF& joint : {crank, pin, piston}) {
+        paintDisc(painter, joint, 0.24 * thick + 1.5);
+    }
+}
+
+void ShaftMapPlot::paintShaft(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const balance_shaft::FrontView& sizes = model_->solver().front_view();
+    const auto present = map_->present();
+    const drawing::Frame frame = this->frame();
+    const QPointF crank = frame.at(0.0, 0.0);
+    const QPointF axis = frame.at(present);
+    const bool canBeBuilt =
+        map_->map() != nullptr ? map_->isBuildable(present) : model_->result().is_buildable;
+    const QColor colour = canBeBuilt ? theme.accent() : theme.error();
+    painter.setBrush(Qt::NoBrush);
+    if (const ShaftMapModel* other = referenceMap()) {
+        const auto was = other->present();
+        painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
+        drawCircle(painter, crank, frame.length(was.centre_distance()));
+        paintDisc(painter, frame.at(was), handleRadius);
+    }
+    painter.setPen(QPen(theme.accent(), 1.4));
+    drawCircle(painter, crank, frame.length(present.centre_distance()));
+    painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
+    painter.drawLine(crank, axis);
+    const double swing = frame.length(sizes.shaft_swing_radius);
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(faint(colour, 0.1));
+    paintDisc(painter, axis, swing);
+    painter.setPen(QPen(theme.panel(), 1.6));
+    painter.setBrush(colour);
+    paintDisc(painter, axis, handleRadius);
 }
 
 // Mouse and keys.
@@ -246,19 +422,6 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
         return;
     }
     PlotView::keyPressEvent(event);
-}
-
-bool ShaftMapPlot::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const QPointF at = help->pos();
-        if (plotArea().contains(at)) {
-            // Over the map only what there is to say of the place: how to use it is beside.
-            QToolTip::showText(help->globalPos(), map_->reasonAt(placeAt(at)), this);
-            return true;
-        }
-    }
-    return PlotView::event(event);
 }
 
 void ShaftMapPlot::stopReading() {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "balance-shaft/change_map_plot.h"
 #include "balance-shaft/model/shaft_map_model.h"
-#include "page/part_views.h"
 #include "theme/theme.h"
+#include "widgets/drawing.h"
 
 namespace ravnoves {
 
@@ -12,13 +13,11 @@ namespace ravnoves {
 ///
 /// The handle is dragged, Escape brings it back; a double click moves the shaft to the place or the
 /// marker under it; all else as in any plot.
-class ShaftMapPlot : public PartPlot {
+class ShaftMapPlot : public ChangeMapPlot {
     Q_OBJECT
 
   public:
     explicit ShaftMapPlot(BalanceShaftModel* model, QWidget* parent = nullptr);
-
-    bool isDrawing() const override { return true; }
 
     /// Both axes have one scale, so a map that is low is small.
     QSize minimumSizeHint() const override {
@@ -37,12 +36,11 @@ class ShaftMapPlot : public PartPlot {
     void hovered(const QString& text);
 
   protected:
-    void paintGround(QPainter& painter) override;
+    const ChangeContours& field() const override { return map_->field(); }
+    void paintOnField(QPainter& painter) override;
     void paintOverCurves(QPainter& painter) override;
     void paintTop(QPainter& painter) override;
-    double keyHeight() const override;
-    bool readsUnderPointer() const override { return false; }  // as text beside the map
-    bool event(QEvent* event) override;
+    QString tipAt(const QPointF& pixel) const override { return map_->reasonAt(placeAt(pixel)); }
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -53,7 +51,19 @@ class ShaftMapPlot : public PartPlot {
     void hideEvent(QHideEvent* event) override;
 
   private:
-    void showImage();
+    /// Where places (m) are drawn: the axes are in mm and of one scale.
+    drawing::Frame frame() const;
+    QPolygonF inFrame(const QPolygonF& metres) const;
+    /// Infeasible places: hatched.
+    void paintBlocked(QPainter& painter) const;
+    /// The limits on its place that the case gives: walls, distances, angles.
+    void paintLimits(QPainter& painter) const;
+    /// Of a reference: infeasible places and the line of no change, dimmed.
+    void paintReference(QPainter& painter) const;
+    /// Cylinder, piston, rod and crank at the angle of the crank.
+    void paintEngine(QPainter& painter) const;
+    /// The shaft with the circle of its l, red where it is infeasible.
+    void paintShaft(QPainter& painter) const;
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;

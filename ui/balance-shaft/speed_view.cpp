@@ -1,7 +1,6 @@
 #include "balance-shaft/speed_view.h"
 
 #include <QCoreApplication>
-#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
@@ -9,7 +8,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "balance-shaft/change_colours.h"
+#include "balance-shaft/change_map_plot.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/shaft_tabs.h"
@@ -37,115 +36,80 @@ constexpr int pairWidth = 480;  ///< designed pixels of two parts beside each ot
 
 /// The map of SpeedStudyModel over α and speed with the key to its colours, and the values under
 /// the pointer as text.
-class SpeedMapPlot : public PartPlot {
+class SpeedMapPlot : public ChangeMapPlot {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::SpeedMapPlot)
 
   public:
     SpeedMapPlot(BalanceShaftModel* model, QWidget* parent);
 
-    bool isDrawing() const override { return true; }
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
 
   protected:
-    void paintGround(QPainter& painter) override;
-    bool readsUnderPointer() const override { return false; }  // as text beside the map
-    double keyHeight() const override;
-    bool event(QEvent* event) override;
+    const ChangeContours& field() const override { return study_->map(); }
+    void showField() override;
+    /// α, speed and change at a place of the chart.
+    QString tipAt(const QPointF& pixel) const override;
     void mouseMoveEvent(QMouseEvent* event) override;
 
   private:
-    void showMap();
-    /// α, speed and change at a place of the chart; empty without a map.
-    QString wordsAt(double angleDeg, double speed) const;
-    /// Null: no map.
-    const ChangeContours* map() const { return study_->isSolved() ? &study_->map() : nullptr; }
-
     SpeedStudyModel* study_;
 };
 
 SpeedMapPlot::SpeedMapPlot(BalanceShaftModel* model, QWidget* parent)
-    : PartPlot(model, "speed-map", parent), study_(model->speedStudy()) {
+    : ChangeMapPlot(model, "speed-map", 2.0 * Theme::margin, parent), study_(model->speedStudy()) {
     setPickable(true);
     connect(this, &PlotView::pickedAt, study_, &SpeedStudyModel::pick);
-    connect(study_, &SpeedStudyModel::mapChanged, this, &SpeedMapPlot::showMap);
-    connect(&Theme::instance(), &Theme::changed, this, &SpeedMapPlot::showMap);
-    showMap();
+    connect(study_, &SpeedStudyModel::mapChanged, this, &SpeedMapPlot::showField);
+    showField();
 }
 
-void SpeedMapPlot::showMap() {
-    setToolTip(map() == nullptr ? QString()
-                                : tr("Blue: smaller with the shaft; orange: larger; thick line: no "
-                                     "change; shaded: does not fit. Click to set α and, with a "
-                                     "computed torque, the speed."));
-    setImage(map() == nullptr ? QImage() : changeImage(*map()),
-             map() == nullptr ? QRectF() : map()->where);
+void SpeedMapPlot::showField() {
+    setToolTip(!study_->isSolved() ? QString()
+                                   : tr("Blue: smaller with the shaft; orange: larger; thick line: "
+                                        "no change; shaded: does not fit. Click to set α and, with "
+                                        "a computed torque, the speed."));
+    ChangeMapPlot::showField();
 }
 
-double SpeedMapPlot::keyHeight() const {
-    return map() != nullptr ? changeKeyHeight() : 0.0;
-}
-
-void SpeedMapPlot::paintGround(QPainter& painter) {
-    if (map() == nullptr) {
-        return;
-    }
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintChangeKey(painter, map()->levels, QPointF(2.0 * Theme::margin, keyTop()),
-                   width() - 4.0 * Theme::margin);
-    painter.setClipRect(plotArea());
-    drawContours(painter, *map(), *this);
-    painter.restore();
-}
-
-QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {
-    if (map() == nullptr) {
+QString SpeedMapPlot::tipAt(const QPointF& pixel) const {
+    if (!study_->isSolved() || !plotArea().contains(pixel)) {
         return {};
     }
-    const double change = study_->changeAt(angleDeg, speed);
+    const double angle = xAt(pixel.x());
+    const double speed = yAt(pixel.y());
+    const double change = study_->changeAt(angle, speed);
     const QLocale locale;
     return tr("α %1°, n %2: %3")
-        .arg(fixedNumber(angleDeg, 1, locale), shownNumber(speed * units::rpm, units::rpm, 0),
+        .arg(fixedNumber(angle, 1, locale), shownNumber(speed * units::rpm, units::rpm, 0),
              (change > 0.0 ? tr("%1 % worse") : tr("%1 % better"))
                  .arg(fixedNumber(std::abs(change) / units::percent, 1, locale)));
 }
 
-bool SpeedMapPlot::event(QEvent* event) {
-    // Over the chart what is under the pointer stays; elsewhere stands how to read the map.
-    if (event->type() == QEvent::ToolTip && map() != nullptr &&
-        plotArea().contains(static_cast<QHelpEvent*>(event)->pos())) {
-        return true;
-    }
-    return PlotView::event(event);
-}
-
 void SpeedMapPlot::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF at = event->position();
-    const QString words = plotArea().contains(at) ? wordsAt(xAt(at.x()), yAt(at.y())) : QString();
-    QToolTip::showText(event->globalPosition().toPoint(), words, this);
+    QToolTip::showText(event->globalPosition().toPoint(), tipAt(event->position()), this);
     if (event->buttons() != Qt::NoButton) {
         PlotView::mouseMoveEvent(event);
     }
 }
 
 QString SpeedMapPlot::csv(const CsvFormat& format) const {
-    if (map() == nullptr) {
+    if (!study_->isSolved()) {
         return {};
     }
     const ShownTitle speed = shownTitle(tr("n, min⁻¹"));
     QString text = format.line({speed.text, tr("α, °"), title()});
-    const QRectF& where = map()->where;
-    const std::size_t columns = map()->columns;
-    const std::size_t rows = map()->changes.size() / columns;
+    const QRectF& where = field().where;
+    const std::size_t columns = field().columns;
+    const std::size_t rows = field().changes.size() / columns;
     const auto number = [&format](double from, double span, std::size_t i, std::size_t count) {
         return format.number(from + span * static_cast<double>(i) / static_cast<double>(count - 1));
     };
-    for (std::size_t i = 0; i < map()->changes.size(); ++i) {
+    for (std::size_t i = 0; i < field().changes.size(); ++i) {
         text += format.line(
             {number(speed.factor * where.top(), speed.factor * where.height(), i / columns, rows),
              number(where.left(), where.width(), i % columns, columns),
-             format.number(100.0 * map()->changes[i])});
+             format.number(100.0 * field().changes[i])});
     }
     return text;
 }

@@ -22,12 +22,12 @@ double SpeedStudyModel::changeAt(double angleDeg, double speed) const {
         const auto before = std::min(static_cast<std::size_t>(place), count - 2);
         return std::pair(before, place - static_cast<double>(before));
     };
-    const QRectF& where = map_->where;
-    const std::size_t columns = map_->columns;
+    const QRectF& where = map_.where;
+    const std::size_t columns = map_.columns;
     const auto [left, s] = along((angleDeg - where.left()) / where.width(), columns);
     const auto [below, t] =
-        along((speed - where.top()) / where.height(), map_->changes.size() / columns);
-    const double* at = map_->changes.data() + below * columns + left;
+        along((speed - where.top()) / where.height(), map_.changes.size() / columns);
+    const double* at = map_.changes.data() + below * columns + left;
     return std::lerp(std::lerp(at[0], at[1], s), std::lerp(at[columns], at[columns + 1], s), t);
 }
 
@@ -49,7 +49,7 @@ void SpeedStudyModel::setBand(double SpeedBand::*end, double speed) {
 }
 
 void SpeedStudyModel::showCriterion() {
-    map_ = study_.map ? std::optional(mapOf(*study_.map)) : std::nullopt;
+    map_ = study_.map ? mapOf(*study_.map) : ChangeContours();
     Q_EMIT mapChanged();
 }
 

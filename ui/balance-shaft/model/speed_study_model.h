@@ -24,8 +24,8 @@ class SpeedStudyModel : public QObject {
   public:
     using Criterion = balance_shaft::SpeedStudy::Criterion;
     /// Change of the criterion against the engine without a shaft at the same speed, or the high
-    /// speeds would drown the rest: over α in ° and the speed in min⁻¹.
-    const ChangeContours& map() const { return *map_; }
+    /// speeds would drown the rest: over α in ° and the speed in min⁻¹; empty before it is solved.
+    const ChangeContours& map() const { return map_; }
     /// Between the neighbours in proportion.
     double changeAt(double angleDeg, double speed) const;
 
@@ -45,7 +45,7 @@ class SpeedStudyModel : public QObject {
     void need();
     void cancel();
     /// False before the first study, and where none can be made of this input.
-    bool isSolved() const { return map_.has_value(); }
+    bool isSolved() const { return !map_.levels.empty(); }
     /// None can be made of this input; answer() says why.
     bool isRejected() const { return study_.study != nullptr && !isSolved(); }
 
@@ -90,7 +90,7 @@ class SpeedStudyModel : public QObject {
     BalanceShaftModel* model_;
     BackgroundJob* job_;
     Study study_;
-    std::optional<ChangeContours> map_;           ///< by the criterion
+    ChangeContours map_;                          ///< by the criterion
     QString trouble_;                             ///< why the last run gave nothing
     int seen_ = -1;                               ///< solution of the model
     std::optional<balance_shaft::Input> wanted_;  ///< the solved input, or the next one

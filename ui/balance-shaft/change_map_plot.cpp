@@ -1,16 +1,16 @@
-#include "balance-shaft/change_colours.h"
+#include "balance-shaft/change_map_plot.h"
 
 #include <QFontMetricsF>
+#include <QHelpEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QToolTip>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"
-#include "plot/plot_view.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -62,13 +62,7 @@ QString levelText(double fraction) {
     return text;
 }
 
-}  // namespace
-
-QColor faint(QColor colour, double alpha) {
-    colour.setAlphaF(static_cast<float>(alpha));
-    return colour;
-}
-
+/// The field as bands of colour, each step of the grid drawn several pixels wide.
 QImage changeImage(const ChangeContours& field) {
     constexpr int imageScale = 3;  // pixels of the picture to one step of the field
     const std::vector<double>& levels = field.levels;
@@ -104,40 +98,80 @@ QImage changeImage(const ChangeContours& field) {
     return image;
 }
 
-QPolygonF inPixels(const PlotView& plot, const QPolygonF& line) {
+}  // namespace
+
+QColor faint(QColor colour, double alpha) {
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
+}
+
+ChangeMapPlot::ChangeMapPlot(SceneModel* model, std::string_view id, double indent, QWidget* parent)
+    : PartPlot(model, id, parent), indent_(indent) {
+    connect(&Theme::instance(), &Theme::changed, this, &ChangeMapPlot::showField);
+}
+
+void ChangeMapPlot::showField() {
+    setImage(field().levels.empty() ? QImage() : changeImage(field()), field().where);
+}
+
+bool ChangeMapPlot::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        if (plotArea().contains(help->pos())) {
+            QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
+            return true;
+        }
+    }
+    return PartPlot::event(event);
+}
+
+QPolygonF ChangeMapPlot::inPixels(const QPolygonF& line) const {
     QPolygonF drawn;
     drawn.reserve(line.size());
     for (const QPointF& point : line) {
-        drawn << plot.toPixel(point.x(), point.y());
+        drawn << toPixel(point.x(), point.y());
     }
     return drawn;
 }
 
-void drawContours(QPainter& painter, const ChangeContours& field, const PlotView& plot) {
+void ChangeMapPlot::paintGround(QPainter& painter) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!field().levels.empty()) {
+        paintKey(painter);
+    }
+    painter.setClipRect(plotArea());
+    paintOnField(painter);
     const Theme& theme = Theme::instance();
     std::vector<LinesOfPen> all;
-    for (const ChangeContours::Contour& contour : field.contours) {
+    for (const ChangeContours::Contour& contour : field().contours) {
         all.push_back(
             {contour.level == 0.0 ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
              {}});
         for (const QPolygonF& line : contour.lines) {
-            all.back().lines.push_back(inPixels(plot, line));
+            all.back().lines.push_back(inPixels(line));
         }
     }
     painter.setBrush(Qt::NoBrush);
     paintLines(painter, all);
+    painter.restore();
 }
 
-double changeKeyHeight() {
-    return barHeight() + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 4.0;
+double ChangeMapPlot::keyHeight() const {
+    return field().levels.empty()
+               ? 0.0
+               : barHeight() + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 4.0;
 }
 
-void paintChangeKey(QPainter& painter, const std::vector<double>& levels, const QPointF& corner,
-                    double room) {
+/// In smaller type where two numbers would meet; what meets another even so has its line alone.
+void ChangeMapPlot::paintKey(QPainter& painter) const {
+    const std::vector<double>& levels = field().levels;
     const Theme& theme = Theme::instance();
     const std::vector<QRgb> colours = bandColours(levels);
     constexpr int longest = 460;
-    const QRectF bar(corner, QSizeF(std::min<double>(room, Theme::withText(longest)), barHeight()));
+    const double room = width() - 2.0 * indent_;
+    const QRectF bar(indent_, keyTop(), std::min<double>(room, Theme::withText(longest)),
+                     barHeight());
     const double each = bar.width() / static_cast<double>(colours.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
         painter.fillRect(
