@@ -14281,61 +14281,6 @@ but at this l no α is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::RelievedShaftView</name>
-    <message>
-        <source>Size to find</source>
-        <translation>Искомый размер</translation>
-    </message>
-    <message>
-        <source>Shaft with a relieved middle</source>
-        <translation>Вал с лыской в средней части</translation>
-    </message>
-    <message>
-        <source>depth h</source>
-        <translation>глубина h</translation>
-    </message>
-    <message>
-        <source>length b</source>
-        <translation>длина b</translation>
-    </message>
-    <message>
-        <source>diameter D</source>
-        <translation>диаметр D</translation>
-    </message>
-    <message>
-        <source>&amp;Find</source>
-        <translation>&amp;Найти</translation>
-    </message>
-    <message>
-        <source>E&amp;xport drawing (DXF)…</source>
-        <translation>&amp;Чертёж (DXF)…</translation>
-    </message>
-    <message>
-        <source>Section and side view, real size, for the machine shop</source>
-        <translation>Сечение и вид сбоку в натуральную величину, для цеха</translation>
-    </message>
-    <message>
-        <source>Sizes and masses of the shaft</source>
-        <translation>Размеры и массы вала</translation>
-    </message>
-    <message>
-        <source>Export drawing</source>
-        <translation>Запись чертежа</translation>
-    </message>
-    <message>
-        <source>none, check only</source>
-        <translation>нет, только проверить</translation>
-    </message>
-    <message>
-        <source>Enter two sizes; the third follows from the unbalance m₁ ρ₁.</source>
-        <translation>Введите два размера; третий следует из дисбаланса m₁ ρ₁.</translation>
-    </message>
-    <message>
-        <source>Computed size</source>
-        <translation>Искомый размер</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::ReportDialog</name>
     <message>
         <source>Report</source>
@@ -15797,6 +15742,90 @@ but at this l no α is feasible</source>
         <source>Effect of gear error and play</source>
         <translation>Действие ошибки зацепления и зазора</translation>
     </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>&amp;Map of</source>
+        <translation>&amp;Карта</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Применить</translation>
+    </message>
+    <message>
+        <source>Apply the best compromise α</source>
+        <translation>Применить лучший компромисс α</translation>
+    </message>
+    <message>
+        <source>Criterion of the map and of the best compromise α</source>
+        <translation>Критерий карты и лучшего компромисса α</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Ход работы</translation>
+    </message>
+    <message>
+        <source>Size to find</source>
+        <translation>Искомый размер</translation>
+    </message>
+    <message>
+        <source>Shaft with a relieved middle</source>
+        <translation>Вал с лыской в средней части</translation>
+    </message>
+    <message>
+        <source>depth h</source>
+        <translation>глубина h</translation>
+    </message>
+    <message>
+        <source>length b</source>
+        <translation>длина b</translation>
+    </message>
+    <message>
+        <source>diameter D</source>
+        <translation>диаметр D</translation>
+    </message>
+    <message>
+        <source>&amp;Find</source>
+        <translation>&amp;Найти</translation>
+    </message>
+    <message>
+        <source>E&amp;xport drawing (DXF)…</source>
+        <translation>&amp;Чертёж (DXF)…</translation>
+    </message>
+    <message>
+        <source>Section and side view, real size, for the machine shop</source>
+        <translation>Сечение и вид сбоку в натуральную величину, для цеха</translation>
+    </message>
+    <message>
+        <source>Sizes and masses of the shaft</source>
+        <translation>Размеры и массы вала</translation>
+    </message>
+    <message>
+        <source>Export drawing</source>
+        <translation>Запись чертежа</translation>
+    </message>
+    <message>
+        <source>none, check only</source>
+        <translation>нет, только проверить</translation>
+    </message>
+    <message>
+        <source>Enter two sizes; the third follows from the unbalance m₁ ρ₁.</source>
+        <translation>Введите два размера; третий следует из дисбаланса m₁ ρ₁.</translation>
+    </message>
+    <message>
+        <source>Computed size</source>
+        <translation>Искомый размер</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShopDialog</name>
@@ -15893,41 +15922,6 @@ but at this l no α is feasible</source>
     <message>
         <source>The gas torque at every speed is from the given torque.</source>
         <translation>Момент газов при любой частоте — из заданного момента.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::SpeedView</name>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>&amp;Map of</source>
-        <translation>&amp;Карта</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Отмена</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Применить</translation>
-    </message>
-    <message>
-        <source>Apply the best compromise α</source>
-        <translation>Применить лучший компромисс α</translation>
-    </message>
-    <message>
-        <source>Criterion of the map and of the best compromise α</source>
-        <translation>Критерий карты и лучшего компромисса α</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Ход работы</translation>
     </message>
 </context>
 <context>

@@ -9,9 +9,7 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
-#include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/shaft_map_view.h"
-#include "balance-shaft/speed_view.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
 #include "text/message_text.h"
@@ -35,7 +33,7 @@ ShaftTabs::ShaftTabs(BalanceShaftModel* model, QWidget* parent)
     beginGroup(tr("Design"));
     add(buildMoments(), "moments", tr("Moments"));
     add(new ShaftMapView(model_, this), "map", tr("Map"));
-    add(new SpeedView(model_, this), "speed", tr("Speed"));
+    add(buildSpeed(), "speed", tr("Speed"));
     add(buildSize(), "envelope", tr("Size"));
     beginGroup(tr("Analysis"));
     add(buildCycle(), "cycle", tr("Cycle"));
@@ -43,7 +41,7 @@ ShaftTabs::ShaftTabs(BalanceShaftModel* model, QWidget* parent)
     add(buildFlywheel(), "flywheel", tr("Flywheel"));
     add(buildForces(), "forces", tr("Forces"));
     beginGroup(tr("Part"));
-    add(new RelievedShaftView(model_, this), "relieved", tr("Relief"));
+    add(buildRelief(), "relieved", tr("Relief"));
 }
 
 PartPlot* ShaftTabs::addCyclePlot(std::string_view part, QWidget* parent) {

@@ -11,6 +11,7 @@ class BalanceShaftModel;
 class Form;
 class PartPlot;
 class PlotView;
+class SpeedStudyModel;
 
 /// The tabs of the balance-shaft page: design, analysis, and the shaft as a part.
 class ShaftTabs : public FittedTabs {
@@ -33,6 +34,10 @@ class ShaftTabs : public FittedTabs {
     QWidget* buildFlywheel();
     Form* buildFlywheelForm(QWidget* parent);
     QWidget* buildForces();
+    QWidget* buildSpeed();
+    Form* buildBand(SpeedStudyModel* study);
+    QWidget* buildRelief();
+    void addReliefSizes(Form* form);
 
     BalanceShaftModel* model_;
 };

@@ -11,9 +11,7 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/speed_study_model.h"
-#include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/solver.h"
-#include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "model/background_job.h"
@@ -35,10 +33,10 @@ class BalanceShaftViewsTest : public test::PageTest<BalanceShaftPage> {
 };
 
 TEST_F(BalanceShaftViewsTest, OfThreeSizesOfTheShaftOneIsFound) {
-    bring(page.findChild<RelievedShaftView*>());
+    bring("relieved");
     const auto shaft = [this] { return model->result().relieved_shaft; };
     const auto swing = [this] { return model->solver().front_view().shaft_swing_radius; };
-    auto* find = page.findChild<RelievedShaftView*>()->findChild<QComboBox*>();
+    auto* find = this->find<QWidget>("relieved")->findChild<QComboBox*>();
     // At first a half disc, that of the map; a swing radius that is typed is the bar's.
     EXPECT_EQ(find->currentIndex(), 0);
     EXPECT_FALSE(field("depth_mm")->isEnabled());
@@ -130,7 +128,7 @@ TEST_F(BalanceShaftViewsTest, AToothOutShowsInTheMoment) {
 }
 
 TEST_F(BalanceShaftViewsTest, TheBandOfSpeedsIsAForm) {
-    bring(page.findChild<SpeedView*>());
+    bring("speed");
     EXPECT_FALSE(model->input().speed_band);
     type("to_rpm", QStringLiteral("500"));  // below the other end
     EXPECT_FALSE(model->input().speed_band);
@@ -186,7 +184,7 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
 }
 
 TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
-    bring(page.findChild<SpeedView*>());
+    bring("speed");
     const PlotView* map = partPlot(page, "speed-map");
     const QString empty = map->title();
     waitForStudy();

@@ -9,7 +9,6 @@
 #include <QSettings>
 #include <QTabWidget>
 
-#include "balance-shaft/speed_view.h"
 #include "case-file/json.h"
 #include "events.h"
 #include "page/scene_page.h"
@@ -190,7 +189,7 @@ TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
     window.showScene(u"balance-shaft"_s);
     choose("map_criterion", Qt::Key_End);
     const auto speedCriterion = [this] {
-        return window.currentPage()->findChild<SpeedView*>()->findChild<QComboBox*>();
+        return window.currentPage()->findChild<QWidget*>(u"speed"_s)->findChild<QComboBox*>();
     };
     speedCriterion()->setFocus();
     QTest::keyClick(speedCriterion(), Qt::Key_End);

@@ -1,5 +1,3 @@
-#include "balance-shaft/relieved_shaft_view.h"
-
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -12,6 +10,7 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/shaft_tabs.h"
 #include "page/part_views.h"
 #include "page/rejected_entries.h"
 #include "pictures/figure.h"
@@ -159,43 +158,26 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
 
 }  // namespace
 
-RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
+/// The balance shaft as a round bar with a segment milled away (the paper's Fig. 5) for the
+/// unbalance m₁ ρ₁ of the page: its sizes, of which one is found, the answer and the drawing.
+QWidget* ShaftTabs::buildRelief() {
+    auto* holder = new QWidget(this);
+    QVBoxLayout* column = columnIn(holder, Theme::space, tabMargins);
     constexpr int pairWidth = 540;
-    auto* upper = new FoldingRow(pairWidth, this);
+    auto* upper = new FoldingRow(pairWidth, holder);
     column->addWidget(upper, 1);
-    upper->add(buildForm(), 4);
 
-    auto* answerPanel = new Panel(this);
-    QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
-    verdict_ = new PartText(model, "relief-verdict", answerPanel);
-    answerColumn->addWidget(verdict_);
-    answerColumn->addWidget(
-        new PartTable(model, "relief", tr("Sizes and masses of the shaft"), answerPanel), 1);
-    upper->add(answerPanel, 5);  // whole names beside the numbers
-
-    auto* drawing = new RelievedShaftDrawing(model, this);
-    constexpr int minDrawing = 150;
-    drawing->setMinimumHeight(Theme::withText(minDrawing));
-    column->addWidget(drawing, 1);
-
-    connect(model, &SceneModel::changed, this, &RelievedShaftView::showFeasible);
-    showFeasible();
-}
-
-QWidget* RelievedShaftView::buildForm() {
-    auto* panel = new Panel(this);
-    QVBoxLayout* column = columnIn(panel, -1, {0, 0, 0, Theme::space});
+    auto* panel = new Panel(holder);
+    QVBoxLayout* inputs = columnIn(panel, -1, {0, 0, 0, Theme::space});
     auto* form = new Form(model_, panel);
     form->section(tr("Shaft with a relieved middle"));
-    addSizes(form);
+    addReliefSizes(form);
     form->column()->addStretch();
-    column->addWidget(form, 1);
-    export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
-    export_->setToolTip(tr("Section and side view, real size, for the machine shop"));
-    connect(export_, &QPushButton::clicked, this, [this] {
-        if (continueWithoutRejected(this, tr("Export drawing"))) {
+    inputs->addWidget(form, 1);
+    auto* write = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
+    write->setToolTip(tr("Section and side view, real size, for the machine shop"));
+    connect(write, &QPushButton::clicked, this, [this, panel] {
+        if (continueWithoutRejected(panel, tr("Export drawing"))) {
             saveFile(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()},
                      [this](const QString& path) {
                          return writeFile(path, [this] {
@@ -206,12 +188,34 @@ QWidget* RelievedShaftView::buildForm() {
     });
     auto* row = new QHBoxLayout;
     row->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
-    row->addWidget(export_);
-    column->addLayout(row);
-    return panel;
+    row->addWidget(write);
+    inputs->addLayout(row);
+    upper->add(panel, 4);
+
+    auto* answerPanel = new Panel(holder);
+    QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
+    auto* verdict = new PartText(model_, "relief-verdict", answerPanel);
+    answerColumn->addWidget(verdict);
+    answerColumn->addWidget(
+        new PartTable(model_, "relief", tr("Sizes and masses of the shaft"), answerPanel), 1);
+    upper->add(answerPanel, 5);  // whole names beside the numbers
+
+    auto* drawing = new RelievedShaftDrawing(model_, holder);
+    constexpr int minDrawing = 150;
+    drawing->setMinimumHeight(Theme::withText(minDrawing));
+    column->addWidget(drawing, 1);
+
+    const auto showFeasible = [this, verdict, write] {
+        const bool isFeasible = model_->result().relieved_shaft.feasible;
+        colourText(verdict, isFeasible ? &Theme::text : &Theme::warning);
+        write->setEnabled(isFeasible);
+    };
+    connect(model_, &SceneModel::changed, holder, showFeasible);
+    showFeasible();
+    return holder;
 }
 
-void RelievedShaftView::addSizes(Form* form) {
+void ShaftTabs::addReliefSizes(Form* form) {
     const auto given = [this] { return balance_shaft::relieved_shaft_sizes(model_->input()); };
     const auto set = [this](const QString& step, const auto& change) {
         model_->edit(step, [&](Input& input) {
@@ -267,12 +271,6 @@ void RelievedShaftView::addSizes(Form* form) {
             set(fieldName(field::density),
                 [&](RelievedShaftSizes& next) { next.density = *value; });
         });
-}
-
-void RelievedShaftView::showFeasible() {
-    const bool isFeasible = model_->result().relieved_shaft.feasible;
-    colourText(verdict_, isFeasible ? &Theme::text : &Theme::warning);
-    export_->setEnabled(isFeasible);
 }
 
 }  // namespace ravnoves

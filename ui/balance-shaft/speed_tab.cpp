@@ -1,5 +1,3 @@
-#include "balance-shaft/speed_view.h"
-
 #include <QCoreApplication>
 #include <QMouseEvent>
 #include <QPainter>
@@ -31,8 +29,6 @@ using balance_shaft::SpeedBand;
 namespace field = balance_shaft::field;
 
 namespace {
-
-constexpr int pairWidth = 480;  ///< designed pixels of two parts beside each other
 
 /// The map of SpeedStudyModel over α and speed with the key to its colours, and the values under
 /// the pointer as text.
@@ -116,67 +112,73 @@ QString SpeedMapPlot::csv(const CsvFormat& format) const {
 
 }  // namespace
 
-SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), study_(model->speedStudy()) {
-    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
-    column->addWidget(buildWords());
-    auto* bar = new Panel(this);
-    QVBoxLayout* barColumn = columnIn(bar, 0);
-    barColumn->addWidget(buildForm());
-    barColumn->addWidget(buildProgress());
-    column->addWidget(bar);
-    auto* charts = new FoldingRow(pairWidth, this);
-    charts->add(new PartPlot(model_, "best-angles", this));
-    charts->add(new SpeedMapPlot(model_, this));
-    column->addWidget(charts, 1);
-    charts_ = charts;
-    column->addStretch();
-    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
-        connect(model_, signal, this, &SpeedView::showStudy);
-    }
-    showStudy();
-}
+/// The band, the best compromise α, best α over speed, the map.
+QWidget* ShaftTabs::buildSpeed() {
+    SpeedStudyModel* study = model_->speedStudy();
+    auto* holder = new QWidget(this);
+    QVBoxLayout* column = columnIn(holder, Theme::space, tabMargins);
 
-QWidget* SpeedView::buildWords() {
-    auto* panel = new Panel(this);
+    auto* panel = new Panel(holder);
     QHBoxLayout* row = rowIn(panel, -1, panelMargins);
     auto* answer = new PartText(model_, "least-bad", panel);
     answer->setFont(Theme::font());
     colourText(answer, &Theme::text);
     row->addWidget(answer, 1);
-    applyBestCompromise_ = new QPushButton(tr("Apply"), panel);
-    applyBestCompromise_->setObjectName(QStringLiteral("go_best_compromise"));
-    applyBestCompromise_->setAccessibleName(tr("Apply the best compromise α"));
-    connect(applyBestCompromise_, &QPushButton::clicked, study_,
-            &SpeedStudyModel::goToBestCompromise);
-    row->addWidget(applyBestCompromise_);
-    rebuild_ =
+    auto* apply = new QPushButton(tr("Apply"), panel);
+    apply->setObjectName(QStringLiteral("go_best_compromise"));
+    apply->setAccessibleName(tr("Apply the best compromise α"));
+    connect(apply, &QPushButton::clicked, study, &SpeedStudyModel::goToBestCompromise);
+    row->addWidget(apply);
+    auto* rebuild =
         TorqueSourceEditor::rebuildButton(model_, QStringLiteral("rebuild_torque_here"), panel);
-    row->addWidget(rebuild_);
-    return panel;
-}
+    row->addWidget(rebuild);
+    column->addWidget(panel);
 
-/// Below all that is typed: where it comes and goes nothing moves, and no gap is left
-/// between them.
-QWidget* SpeedView::buildProgress() {
-    auto* running = new QWidget(this);
-    QHBoxLayout* row = rowIn(running, Theme::space, {Theme::margin, 0, Theme::margin, Theme::gap});
-    auto* progress = new JobProgress(study_->job(), tr("Progress"), running);
+    auto* bar = new Panel(holder);
+    QVBoxLayout* barColumn = columnIn(bar, 0);
+    barColumn->addWidget(buildBand(study));
+    // Below all that is typed: where it comes and goes nothing moves, and no gap is left between
+    // them.
+    auto* running = new QWidget(bar);
+    row = rowIn(running, Theme::space, {Theme::margin, 0, Theme::margin, Theme::gap});
+    auto* progress = new JobProgress(study->job(), tr("Progress"), running);
     row->addWidget(progress, 1);
     QPushButton* cancel = progress->cancelButton(tr("Cancel"), {});
-    connect(cancel, &QPushButton::clicked, study_, &SpeedStudyModel::cancel);
+    connect(cancel, &QPushButton::clicked, study, &SpeedStudyModel::cancel);
     row->addWidget(cancel);
-    return running;
+    barColumn->addWidget(running);
+    column->addWidget(bar);
+
+    constexpr int pairWidth = 480;  ///< designed pixels of both beside each other
+    auto* charts = new FoldingRow(pairWidth, holder);
+    charts->add(new PartPlot(model_, "best-angles", charts));
+    charts->add(new SpeedMapPlot(model_, charts));
+    column->addWidget(charts, 1);
+    column->addStretch();
+
+    const auto showStudy = [=, this] {
+        apply->setVisible(study->isSolved());
+        if (study->isSolved()) {
+            enableWhereFeasible(*apply, study->buildable());
+        }
+        rebuild->setVisible(!study->isSolved() && model_->canRebuildTorque());
+        charts->setVisible(!study->isRejected());
+    };
+    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+        connect(model_, signal, holder, showStudy);
+    }
+    showStudy();
+    return holder;
 }
 
-Form* SpeedView::buildForm() {
+Form* ShaftTabs::buildBand(SpeedStudyModel* study) {
     auto* form = new Form(model_, this);
     form->section({});
     for (const auto& [end, field] : {std::pair(&SpeedBand::from, &field::band_from),
                                      std::pair(&SpeedBand::to, &field::band_to)}) {
         NumberField* number = form->number(
-            *field, [this, end = end] { return study_->band().*end; },
-            [this, end = end](std::optional<double> value) { study_->setBand(end, *value); });
+            *field, [study, end = end] { return study->band().*end; },
+            [study, end = end](std::optional<double> value) { study->setBand(end, *value); });
         number->setDigits(6);
     }
     form->choice(
@@ -187,15 +189,6 @@ Form* SpeedView::buildForm() {
             model_->setSpeedCriterion(static_cast<BalanceShaftModel::Criterion>(index));
         });
     return form;
-}
-
-void SpeedView::showStudy() {
-    applyBestCompromise_->setVisible(study_->isSolved());
-    if (study_->isSolved()) {
-        enableWhereFeasible(*applyBestCompromise_, study_->buildable());
-    }
-    rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
-    charts_->setVisible(!study_->isRejected());
 }
 
 }  // namespace ravnoves
