@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QWidget>
 #include <optional>
 
+#include "widgets/table_editor.h"
+
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QStackedWidget;
 
@@ -12,8 +12,27 @@ namespace ravnoves {
 
 class BalanceShaftModel;
 class Form;
-class TorqueTableEditor;
+class TorqueTableModel;
 class TroubleLine;
+
+/// The torque table with its tools: edit, insert, delete, paste, import and export.
+class TorqueTableEditor : public TableEditor {
+    Q_OBJECT
+
+  public:
+    explicit TorqueTableEditor(BalanceShaftModel* model, QWidget* parent = nullptr);
+
+    /// Opens the import window for a file, which replaces the whole table.
+    void importFile(const QString& path);
+    void importWithDialog();
+    /// A whole cycle replaces the table; anything smaller is put into the cells from the current
+    /// one.
+    void paste() override;
+
+  private:
+    BalanceShaftModel* model_;
+    TorqueTableModel* table_;
+};
 
 /// The source of the engine torque: a table, a measured pressure trace, or a computed cycle, each
 /// with its own form. Switching keeps the other sources.

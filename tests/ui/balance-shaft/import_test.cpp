@@ -14,7 +14,6 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/import_model.h"
 #include "balance-shaft/torque_source_editor.h"
-#include "balance-shaft/torque_table_editor.h"
 #include "case-file/decimal.h"
 #include "case-file/text_file.h"
 #include "import_file.h"

@@ -21,7 +21,6 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/torque_table_model.h"
 #include "balance-shaft/torque_source_editor.h"
-#include "balance-shaft/torque_table_editor.h"
 #include "import_file.h"
 #include "page_fixture.h"
 #include "text/message_text.h"

@@ -13,7 +13,6 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/torque_table_model.h"
-#include "balance-shaft/torque_table_editor.h"
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "import_file.h"

@@ -13,7 +13,6 @@
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/torque_source_editor.h"
-#include "balance-shaft/torque_table_editor.h"
 #include "model/background_job.h"
 #include "page_fixture.h"
 #include "text/message_text.h"

@@ -27,7 +27,7 @@
 #include <memory>
 #include <string>
 
-#include "balance-shaft/torque_table_editor.h"
+#include "balance-shaft/torque_source_editor.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
