@@ -9,7 +9,6 @@
 #include "inertia-moments/cylinder_editor.h"
 #include "inertia-moments/engine_forms.h"
 #include "inertia-moments/engine_view.h"
-#include "numerics/constants.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
 #include "page/rejected_verdict.h"
@@ -100,11 +99,9 @@ std::array<PartPlot*, 2> InertiaMomentsCharts::addPair(const char* left, const c
 }
 
 void InertiaMomentsCharts::showCursor() {
-    const double phi = model_->crank()->degrees() * degree;
-    const auto& engine = model_->result().unbalanced;
     for (std::size_t i = 0; i < hodographs_.size(); ++i) {
-        const auto first = vectorAt(engine.order(1), i == 0, phi);
-        const auto second = vectorAt(engine.order(2), i == 0, 2.0 * phi);
+        const auto first = model_->vectorNow(1, i == 0);
+        const auto second = model_->vectorNow(2, i == 0);
         hodographs_[i]->setMarks({{first.real(), first.imag(), {}, Role::FirstOrder},
                                   {second.real(), second.imag(), {}, Role::SecondOrder}});
     }

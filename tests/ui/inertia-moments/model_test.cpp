@@ -10,7 +10,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "inertia-moments/model/cylinder_table_model.h"
-#include "inertia-moments/model/engine_parts.h"
 #include "model/input_differences.h"
 #include "part_tests.h"
 #include "scenes/scenes.h"
@@ -214,12 +213,12 @@ double reachOf(const std::vector<double>& values) {
 
 TEST(EnginePlots, ShowTheForcesOfAnEngineInOnePlane) {
     InertiaMomentsModel model;
-    EXPECT_FALSE(hasForcesOnly(model.result()));
+    EXPECT_FALSE(model.showsForces());
     model.chooseLayout(QStringLiteral("radial-7"));
-    EXPECT_TRUE(hasForcesOnly(model.result()));
+    EXPECT_TRUE(model.showsForces());
     model.chooseLayout(QStringLiteral("i6"));
     model.edit(QStringLiteral("bare"), [](Input& input) { input.end_webs.reset(); });
-    EXPECT_FALSE(hasForcesOnly(model.result()));  // nor forces
+    EXPECT_FALSE(model.showsForces());  // nor forces
 }
 
 TEST(EnginePlots, ShowNoRounding) {

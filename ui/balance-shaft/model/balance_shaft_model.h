@@ -6,7 +6,6 @@
 #include "balance-shaft/dead_centre.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/input.h"
-#include "balance-shaft/model/shaft_parts.h"
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
@@ -61,8 +60,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     explicit BalanceShaftModel(QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("balance-shaft"); }
-    std::span<const PagePart> parts() const override { return shaftParts(); }
-    Content part(std::string_view id) const override { return shaftPart(*this, id); }
+    std::span<const PagePart> parts() const override;
+    Content part(std::string_view id) const override;
     std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
         return std::make_unique<BalanceShaftModel>();  // its jobs run where someone looks
     }

@@ -1,4 +1,4 @@
-#include "balance-shaft/model/shaft_parts.h"
+// What the page of the balance shaft shows.
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -806,12 +806,12 @@ constexpr std::array makers{
 
 }  // namespace
 
-std::span<const PagePart> shaftParts() {
+std::span<const PagePart> BalanceShaftModel::parts() const {
     return partsOf(makers);
 }
 
-Content shaftPart(const BalanceShaftModel& model, std::string_view id) {
-    return makePart(makers, model, id);
+Content BalanceShaftModel::part(std::string_view id) const {
+    return makePart(makers, *this, id);
 }
 
 }  // namespace ravnoves

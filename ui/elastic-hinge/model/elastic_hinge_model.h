@@ -8,7 +8,6 @@
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/input.h"
 #include "elastic-hinge/model/hinge_motions.h"
-#include "elastic-hinge/model/hinge_parts.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/result.h"
 #include "elastic-hinge/results.h"
@@ -49,8 +48,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     explicit ElasticHingeModel(QObject* parent = nullptr, bool runsJobs = true);
 
     QString sceneName() const override { return QStringLiteral("elastic-hinge"); }
-    std::span<const PagePart> parts() const override { return hingeParts(); }
-    Content part(std::string_view id) const override { return hingePart(*this, id); }
+    std::span<const PagePart> parts() const override;
+    Content part(std::string_view id) const override;
     std::unique_ptr<SceneModel> another(bool runsJobs) const override {
         return std::make_unique<ElasticHingeModel>(nullptr, runsJobs);
     }

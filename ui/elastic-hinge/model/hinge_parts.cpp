@@ -1,5 +1,6 @@
-#include "elastic-hinge/model/hinge_parts.h"
+// What the page of the elastic hinges shows.
 
+#include <QCoreApplication>
 #include <array>
 #include <cmath>
 
@@ -18,6 +19,11 @@ using elastic_hinge::Motion;
 using elastic_hinge::Result;
 
 namespace {
+
+/// The words of the plots.
+struct HingePlots {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::HingePlots)
+};
 
 constexpr std::array branches{Branch::compressed, Branch::stretched};
 constexpr std::array branchRoles{Role::Compressed, Role::Stretched};
@@ -335,12 +341,12 @@ constexpr std::array makers{
 
 }  // namespace
 
-std::span<const PagePart> hingeParts() {
+std::span<const PagePart> ElasticHingeModel::parts() const {
     return partsOf(makers);
 }
 
-Content hingePart(const ElasticHingeModel& model, std::string_view id) {
-    return makePart(makers, model, id);
+Content ElasticHingeModel::part(std::string_view id) const {
+    return makePart(makers, *this, id);
 }
 
 }  // namespace ravnoves

@@ -1,5 +1,6 @@
-#include "inertia-moments/model/engine_parts.h"
+// What the page of inertia forces and moments shows.
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +19,11 @@ using inertia_moments::WrenchCurves;
 using inertia_moments::zero_share;
 
 namespace {
+
+/// The words of the plots.
+struct EnginePlots {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::InertiaMomentsCharts)
+};
 
 constexpr double cycle_deg = 720.0;  // the paper's Fig. 6 shows two turns
 
@@ -417,16 +423,7 @@ constexpr std::array makers{
     Maker{{.id = "moments-over-angle", .tab = "over-angle"}, made<ofAllOrders<false>>},
 };
 
-}  // namespace
-
-std::span<const PagePart> engineParts() {
-    return partsOf(makers);
-}
-
-Content enginePart(const InertiaMomentsModel& model, std::string_view id) {
-    return makePart(makers, model, id);
-}
-
+/// True where the first two orders have no moment but a force: an engine in one plane.
 bool hasForcesOnly(const Result& result) {
     bool force = false;
     for (int k = 1; k <= 2; ++k) {
@@ -444,9 +441,25 @@ bool hasForcesOnly(const Result& result) {
     return force;
 }
 
-inertia_moments::Complex vectorAt(const EngineOrder& order, bool force, double angle) {
-    const RotatingPair& pair = vectorOf(order, force);
-    return pair.max() > roundingOf(order, force) ? pair.at(angle) : inertia_moments::Complex();
+}  // namespace
+
+std::span<const PagePart> InertiaMomentsModel::parts() const {
+    return partsOf(makers);
+}
+
+Content InertiaMomentsModel::part(std::string_view id) const {
+    return makePart(makers, *this, id);
+}
+
+bool InertiaMomentsModel::showsForces() const {
+    return forces_.value_or(hasForcesOnly(result()));
+}
+
+inertia_moments::Complex InertiaMomentsModel::vectorNow(int order, bool force) const {
+    const EngineOrder& of = result().unbalanced.order(order);
+    const RotatingPair& pair = vectorOf(of, force);
+    return pair.max() > roundingOf(of, force) ? pair.at(order * crank_.degrees() * degree)
+                                              : inertia_moments::Complex();
 }
 
 }  // namespace ravnoves

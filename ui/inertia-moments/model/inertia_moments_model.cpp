@@ -391,10 +391,6 @@ QString InertiaMomentsModel::setRodLength(std::optional<double> length) {
 
 // ---------------------------------------------------------------------------------------- view
 
-bool InertiaMomentsModel::showsForces() const {
-    return forces_.value_or(hasForcesOnly(result()));
-}
-
 void InertiaMomentsModel::takeView(const SceneModel& other) {
     const auto* model = qobject_cast<const InertiaMomentsModel*>(&other);
     if (model == nullptr) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "inertia-moments/input.h"
-#include "inertia-moments/model/engine_parts.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/result.h"
 #include "inertia-moments/results.h"
@@ -47,8 +46,8 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     const inertia_moments::Result& result() const { return solved(); }
 
-    std::span<const PagePart> parts() const override { return engineParts(); }
-    Content part(std::string_view id) const override { return enginePart(*this, id); }
+    std::span<const PagePart> parts() const override;
+    Content part(std::string_view id) const override;
     std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const override {
         return std::make_unique<InertiaMomentsModel>();
     }
@@ -120,6 +119,8 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// True where the charts of the orders show forces, since no moment is left. A comparison shows
     /// the same of the other engine.
     bool showsForces() const;
+    /// Force or moment of an order at the present crank angle; 0 where it is mere rounding.
+    inertia_moments::Complex vectorNow(int order, bool force) const;
     void takeView(const SceneModel& other) override;
     CrankAngle* crank() { return &crank_; }
 
