@@ -16465,10 +16465,6 @@ but at this l no α is feasible</source>
         <source>Pressure trace: %1.</source>
         <translation>Диаграмма: %1.</translation>
     </message>
-    <message>
-        <source>&amp;Paste</source>
-        <translation>Вст&amp;авить</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableEditor</name>

@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTableView>
@@ -186,25 +185,16 @@ QWidget* TorqueSourceEditor::buildNoTable() {
     column->addWidget(captionLabel(tr("No table yet, so the computed torque is used: paste a "
                                       "table, import a CSV file, or use this torque as table."),
                                    noTable_));
-    auto* buttons = new QWidget(noTable_);
-    QHBoxLayout* row = rowIn(buttons, Theme::gap);
-    column->addWidget(buttons);
-    const auto add = [&](const char* name, const QString& text, const auto& act) {
-        auto* button = new QPushButton(text, noTable_);
-        button->setObjectName(QLatin1String(name));
-        row->addWidget(button);
-        connect(button, &QPushButton::clicked, this, act);
-        return button;
-    };
-    add("import_table", tr("Impo&rt file…"), [this] { table_->importWithDialog(); });
-    add("paste_table", tr("&Paste"), [this] { table_->paste(); });
-    add("take_computed_torque", tr("Use as table"),
-        [this] {
-            trouble_->say(model_->tabulateTorque());
-            showInput();
-        })
-        ->setToolTip(tr("Make a table of the computed torque, a row per step. The table does not "
-                        "follow speed and masses."));
+    auto* take = new QPushButton(tr("Use as table"), noTable_);
+    take->setObjectName(QStringLiteral("take_computed_torque"));
+    take->setToolTip(
+        tr("Make a table of the computed torque, a row per step. The table does not "
+           "follow speed and masses."));
+    connect(take, &QPushButton::clicked, this, [this] {
+        trouble_->say(model_->tabulateTorque());
+        showInput();
+    });
+    column->addWidget(take);
     return noTable_;
 }
 
@@ -335,14 +325,9 @@ void TorqueSourceEditor::importTrace(const QString& path) {
                      model_->input().strokes);
     file.open(path);
     ImportDialog dialog(&file, tr("Import pressure trace"), this);
-    if (dialog.exec() != QDialog::Accepted) {
-        return;
-    }
-    const QString why =
-        model_->edit(tr("Pressure trace"), [&](Input& input) { file.putTraceInto(input); });
-    if (!why.isEmpty()) {
-        QMessageBox::warning(this, tr("Import pressure trace"),
-                             file.path() + QStringLiteral(": ") + why);
+    if (dialog.exec() == QDialog::Accepted) {
+        trouble_->say(
+            model_->edit(tr("Pressure trace"), [&](Input& input) { file.putTraceInto(input); }));
     }
 }
 

@@ -188,20 +188,20 @@ TEST_F(TorqueSourceTest, AnEmptySourceStaysChosenUntilAnotherGivesTheTorque) {
     model->edit(QStringLiteral("x"), [](balance_shaft::Input& input) { input.torque.table = {}; });
     const auto* chosen = find<QComboBox>("torque_source");
     bring(source);
-    auto* paste = find<QPushButton>("paste_table");
+    const auto* take = find<QPushButton>("take_computed_torque");
     for (const int empty : {0, 1}) {
         choose(empty);
         model->editField("/crank_radius_mm", 45.0 + empty, QStringLiteral("x"));
         EXPECT_EQ(chosen->currentIndex(), empty) << "another input changes nothing of it";
-        EXPECT_EQ(paste->isVisible(), empty == 0);
+        EXPECT_EQ(take->isVisible(), empty == 0);
     }
     choose(0);
     QApplication::clipboard()->setText(QStringLiteral("deg;M\n0;1\n180;2\n360;3\n540;4\n720;1\n"));
-    paste->click();
+    entries->paste();
     EXPECT_EQ(model->input().torque.table.size(), 5U);
     EXPECT_EQ(model->input().torque.kind, balance_shaft::TorqueSource::Kind::table);
     EXPECT_EQ(chosen->currentIndex(), 0);
-    EXPECT_FALSE(paste->isVisible());
+    EXPECT_FALSE(take->isVisible());
     model->undo();
     EXPECT_EQ(chosen->currentIndex(), 2) << "the cycle gives the torque again";
 }
