@@ -18,7 +18,6 @@
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"
-#include "text/number_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -115,35 +114,7 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     painter.save();
     painter.setClipRect(plotArea());
     paintShaft(painter);
-    if (dragging_) {
-        paintChange(painter);
-    }
     painter.restore();
-}
-
-void ShaftMapPlot::paintChange(QPainter& painter) const {
-    const ShaftMap* map = map_->map();
-    const auto change =
-        map != nullptr ? map_->change(map->study.at(map_->present())) : std::nullopt;
-    if (!change) {
-        return;
-    }
-    const Theme& theme = Theme::instance();
-    painter.setFont(Theme::font(Theme::smallSize, true));
-    const QPointF axis = pixelOf(map_->present());
-    const QString text = signedPercentText(*change, 2);
-    const QFontMetricsF metrics(painter.font());
-    const QSizeF size(metrics.horizontalAdvance(text) + 12.0, metrics.height() + 4.0);
-    QRectF box(axis + QPointF(12.0, -8.0 - size.height()), size);
-    if (box.right() > plotArea().right()) {
-        box.moveRight(axis.x() - 12.0);
-    }
-    box.moveTop(std::max(box.top(), plotArea().top() + 2.0));
-    painter.setPen(QPen(theme.border(), 1.0));
-    painter.setBrush(faint(theme.panel(), 0.93));
-    painter.drawRoundedRect(box, 4, 4);
-    painter.setPen(theme.text());
-    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 drawing::Frame ShaftMapPlot::frame() const {

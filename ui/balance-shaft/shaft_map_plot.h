@@ -67,8 +67,6 @@ class ShaftMapPlot : public ChangeMapPlot {
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
-    /// What the place does, beside the shaft while it is dragged.
-    void paintChange(QPainter& painter) const;
 
     BalanceShaftModel* model_;
     ShaftMapModel* map_;
