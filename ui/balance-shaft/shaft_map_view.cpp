@@ -88,7 +88,7 @@ QWidget* ShaftMapView::buildBar() {
         tr("Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, or its RMS"));
     label->setBuddy(criterion_);
     connect(criterion_, &QComboBox::activated, this, [this](int index) {
-        model_->setPlaceCriterion(static_cast<ShaftMapModel::Criterion>(index));
+        model_->setCriterion(static_cast<ShaftMapModel::Criterion>(index));
     });
     row->addWidget(label);
     row->addWidget(criterion_, 1);

@@ -181,13 +181,16 @@ Form* ShaftTabs::buildBand(SpeedStudyModel* study) {
             [study, end = end](std::optional<double> value) { study->setBand(end, *value); });
         number->setDigits(6);
     }
-    form->choice(
+    QComboBox* criterion = form->choice(
         {}, tr("&Map of"), {tr("range"), tr("RMS")},
         tr("Criterion of the map and of the best compromise α"),
-        [this] { return static_cast<int>(model_->speedCriterion()); },
+        [this] { return static_cast<int>(model_->criterion()); },
         [this](int index) {
-            model_->setSpeedCriterion(static_cast<BalanceShaftModel::Criterion>(index));
+            model_->setCriterion(static_cast<BalanceShaftModel::Criterion>(index));
         });
+    connect(model_, &SceneModel::viewChanged, criterion, [this, criterion] {
+        criterion->setCurrentIndex(static_cast<int>(model_->criterion()));
+    });
     return form;
 }
 

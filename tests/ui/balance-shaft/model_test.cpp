@@ -143,10 +143,10 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     study.goToBestCompromise();
     EXPECT_NEAR(model.shaftAngleDeg(), study.bestCompromiseDeg(), 1e-9);
     const QString answer = study.answer();
-    model.setSpeedCriterion(By::rms);
+    model.setCriterion(By::rms);
     EXPECT_NE(study.answer(), answer);
     EXPECT_NE(study.map().changes, map.changes);
-    model.setSpeedCriterion(By::range);
+    model.setCriterion(By::range);
 
     // The shaft's angle solves nothing again; neither does an input that comes back meanwhile.
     model.setShaftAngleDeg(10.0);

@@ -79,7 +79,7 @@ TEST_F(ShaftMapTest, ShowsTheNumbersOfTheStudy) {
                         along(field.bottom, field.top, element / field.columns, field.rows)};
     };
     for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
-        model->setPlaceCriterion(criterion);
+        model->setCriterion(criterion);
         for (std::size_t i = 0; i < map->field().changes.size(); i += 977) {
             const auto at = study.at(place(i));
             EXPECT_NEAR(map->field().changes[i],
@@ -254,9 +254,9 @@ TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsMapToo) {
     EXPECT_TRUE(plot->data().hasGhosts());  // hence its entry in the legend
     EXPECT_NE(other.best()->criteria.range, map->best()->criteria.range);
     const QImage both = plot->grab().toImage();
-    model->setPlaceCriterion(Criterion::rms);
+    model->setCriterion(Criterion::rms);
     EXPECT_EQ(other.criterion(), Criterion::rms);
-    model->setPlaceCriterion(Criterion::range);
+    model->setCriterion(Criterion::range);
     model->chooseReference(-1);
     EXPECT_EQ(plot->referenceMap(), nullptr);
     EXPECT_NE(plot->grab().toImage(), both);
@@ -333,7 +333,7 @@ TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
     EXPECT_EQ(map->map()->study.obstacle(beyond), Obstacle::limits);
     EXPECT_FALSE(map->reasonAt(beyond).isEmpty());
     for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
-        model->setPlaceCriterion(criterion);
+        model->setCriterion(criterion);
         ASSERT_NE(map->best(), nullptr);
         EXPECT_TRUE(map->best()->isBuildable);
         EXPECT_GE(map->best()->position.x, 80 * mm - 1e-9);
@@ -360,7 +360,7 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
                   *map->change(all.study.at(exact)) + part);
     };
     for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
-        model->setPlaceCriterion(criterion);
+        model->setCriterion(criterion);
         const auto& best = criterion == Criterion::range ? all.smallRange : all.smallRms;
         ASSERT_TRUE(best);
         map->goToBest();
@@ -373,7 +373,7 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
             << words().toStdString();
         EXPECT_NEAR(*field("centre_distance_mm")->value(), l.toDouble(), 1e-12);
     }
-    model->setPlaceCriterion(Criterion::range);
+    model->setCriterion(Criterion::range);
     for (const balance_shaft::BestPosition& place : all.front) {
         map->moveTo(map->shortened(place.position, Criterion::range));
         expectShort(place.position, 2e-3);

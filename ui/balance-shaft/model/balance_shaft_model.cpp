@@ -58,8 +58,7 @@ bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) 
 
 void BalanceShaftModel::takeView(const SceneModel& other) {
     if (const auto* model = qobject_cast<const BalanceShaftModel*>(&other)) {
-        setPlaceCriterion(model->placeCriterion());
-        setSpeedCriterion(model->speedCriterion());
+        setCriterion(model->criterion());
     }
 }
 
@@ -68,17 +67,11 @@ bool BalanceShaftModel::isPapersCase() const {
     return !input().torque.is_computed() && input().torque.table == printed;
 }
 
-void BalanceShaftModel::setPlaceCriterion(Criterion criterion) {
-    if (std::exchange(placeCriterion_, criterion) != criterion) {
+void BalanceShaftModel::setCriterion(Criterion criterion) {
+    if (std::exchange(criterion_, criterion) != criterion) {
         if (shaftMap_ != nullptr) {
             shaftMap_->showCriterion();
         }
-        Q_EMIT viewChanged();
-    }
-}
-
-void BalanceShaftModel::setSpeedCriterion(Criterion criterion) {
-    if (std::exchange(speedCriterion_, criterion) != criterion) {
         if (speedStudy_ != nullptr) {
             speedStudy_->showCriterion();
         }

@@ -104,12 +104,9 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     /// By range or by RMS.
     using Criterion = balance_shaft::SpeedStudy::Criterion;
-    /// What the map of places judges by.
-    Criterion placeCriterion() const { return placeCriterion_; }
-    void setPlaceCriterion(Criterion criterion);
-    /// What the map over α and speed shows.
-    Criterion speedCriterion() const { return speedCriterion_; }
-    void setSpeedCriterion(Criterion criterion);
+    /// What both maps show, of places and over α and speed, and judge by.
+    Criterion criterion() const { return criterion_; }
+    void setCriterion(Criterion criterion);
 
     // What takes longer than a frame, computed while someone looks; made when first asked for.
     ShaftMapModel* shaftMap();
@@ -161,8 +158,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void needDeadCentre();
 
     CrankAngle crank_{60.0, input().cycle_deg()};
-    Criterion placeCriterion_ = {};
-    Criterion speedCriterion_ = {};
+    Criterion criterion_ = {};
     ShaftMapModel* shaftMap_ = nullptr;
     SpeedStudyModel* speedStudy_ = nullptr;
     BackgroundJob* centreJob_;

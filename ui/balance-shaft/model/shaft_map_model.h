@@ -72,7 +72,7 @@ class ShaftMapModel : public QObject {
     const ShaftMap* map() const { return map_.get(); }
     bool isStale() const;
 
-    Criterion criterion() const { return model_->placeCriterion(); }
+    Criterion criterion() const { return model_->criterion(); }
     bool byRange() const { return criterion() == Criterion::range; }
     /// The model's criterion is another.
     void showCriterion();

@@ -77,10 +77,14 @@ std::vector<double> inUnit(std::vector<double> values, const Unit& unit) {
     return values;
 }
 
+bool isByRange(const Model& model) {
+    return model.criterion() == Criterion::range;
+}
+
 /// Of a map of changes, in percent.
-QString changeTitle(Criterion criterion) {
-    return criterion == Criterion::range ? ShaftParts::tr("Change in range vs. no shaft, %")
-                                         : ShaftParts::tr("Change in RMS vs. no shaft, %");
+QString changeTitle(const Model& model) {
+    return isByRange(model) ? ShaftParts::tr("Change in range vs. no shaft, %")
+                            : ShaftParts::tr("Change in RMS vs. no shaft, %");
 }
 
 // The moments on the engine over φ and over α, how large they are over α, and what that costs.
@@ -262,7 +266,7 @@ Figure places(const Model& model) {
     const ShaftMap* map = mapOf(model);
     const double view = map != nullptr ? map->view / units::mm : 100.0;
     Figure figure;
-    figure.title = changeTitle(model.placeCriterion());
+    figure.title = changeTitle(model);
     figure.x = {.title = ShaftParts::tr("x, mm"), .min = -view, .max = view};
     figure.left = {.title = ShaftParts::tr("y, mm")};
     figure.leftRange = std::pair(-view, view);
@@ -288,8 +292,8 @@ Figure places(const Model& model) {
 
 Figure front(const Model& model) {
     Figure figure;
-    figure.title = model.placeCriterion() == Criterion::range ? ShaftParts::tr("Range and size")
-                                                              : ShaftParts::tr("RMS and size");
+    figure.title =
+        isByRange(model) ? ShaftParts::tr("Range and size") : ShaftParts::tr("RMS and size");
     figure.x = {.title = ShaftParts::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
     figure.left = {.title = ShaftParts::tr("change, %")};
     const ShaftMapModel* places = model.shaftMap();
@@ -387,10 +391,6 @@ Curve bestOverSpeed(const SpeedStudyModel& study, bool byRange) {
     return curve;
 }
 
-bool isByRange(const Model& model) {
-    return model.speedCriterion() == Criterion::range;
-}
-
 Figure bestAngles(const Model& model) {
     const auto [lowest, highest] = speedsOf(model);
     Figure figure;
@@ -431,7 +431,7 @@ Figure speedMap(const Model& model) {
     if (study == nullptr) {
         return figure;
     }
-    figure.title = changeTitle(model.speedCriterion());
+    figure.title = changeTitle(model);
     figure.bands = unbuildableBands(study->buildable());
     Curve line = bestOverSpeed(*study, isByRange(model));
     figure.add("best",
