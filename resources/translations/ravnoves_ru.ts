@@ -15775,28 +15775,8 @@ but at this l no α is feasible</source>
         <translation>Ход работы</translation>
     </message>
     <message>
-        <source>Size to find</source>
-        <translation>Искомый размер</translation>
-    </message>
-    <message>
         <source>Shaft with a relieved middle</source>
         <translation>Вал с лыской в средней части</translation>
-    </message>
-    <message>
-        <source>depth h</source>
-        <translation>глубина h</translation>
-    </message>
-    <message>
-        <source>length b</source>
-        <translation>длина b</translation>
-    </message>
-    <message>
-        <source>diameter D</source>
-        <translation>диаметр D</translation>
-    </message>
-    <message>
-        <source>&amp;Find</source>
-        <translation>&amp;Найти</translation>
     </message>
     <message>
         <source>E&amp;xport drawing (DXF)…</source>
@@ -15815,16 +15795,8 @@ but at this l no α is feasible</source>
         <translation>Запись чертежа</translation>
     </message>
     <message>
-        <source>none, check only</source>
-        <translation>нет, только проверить</translation>
-    </message>
-    <message>
         <source>Enter two sizes; the third follows from the unbalance m₁ ρ₁.</source>
         <translation>Введите два размера; третий следует из дисбаланса m₁ ρ₁.</translation>
-    </message>
-    <message>
-        <source>Computed size</source>
-        <translation>Искомый размер</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,3 @@
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPainter>
@@ -19,8 +18,8 @@
 #include "text/shown_units.h"
 #include "text/write_file.h"
 #include "theme/theme.h"
-#include "widgets/drawing.h"
 #include "widgets/form.h"
+#include "widgets/drawing.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -34,16 +33,16 @@ namespace field = balance_shaft::field;
 
 namespace {
 
-/// A size that is given or found, in the order of what can be found.
+/// A size that is given or found.
 struct ReliefSize {
     const Field& field;
     std::optional<double> RelievedShaftSizes::*given;
     double RelievedShaft::*found;
 };
 constexpr std::array reliefSizes{
+    ReliefSize{field::bar_diameter, &RelievedShaftSizes::diameter, &RelievedShaft::diameter},
     ReliefSize{field::relief_depth, &RelievedShaftSizes::depth, &RelievedShaft::depth},
-    ReliefSize{field::relief_length, &RelievedShaftSizes::length, &RelievedShaft::length},
-    ReliefSize{field::bar_diameter, &RelievedShaftSizes::diameter, &RelievedShaft::diameter}};
+    ReliefSize{field::relief_length, &RelievedShaftSizes::length, &RelievedShaft::length}};
 
 /// Section and side view of a shaft with a relieved middle, to scale, with its main sizes.
 class RelievedShaftDrawing : public QWidget {
@@ -217,60 +216,37 @@ QWidget* ShaftTabs::buildRelief() {
 
 void ShaftTabs::addReliefSizes(Form* form) {
     const auto given = [this] { return balance_shaft::relieved_shaft_sizes(model_->input()); };
-    const auto set = [this](const QString& step, const auto& change) {
-        model_->edit(step, [&](Input& input) {
+    const auto set = [this](const Field& field, const auto& change) {
+        model_->edit(fieldName(field), [&](Input& input) {
             input.relieved_shaft = balance_shaft::relieved_shaft_sizes(input);
             change(*input.relieved_shaft);
         });
     };
-    const auto find = [this, set](int sought) {
-        set(tr("Size to find"), [this, sought](RelievedShaftSizes& next) {
-            RelievedShaft found = model_->result().relieved_shaft;
-            found.depth = found.depth > 0.0 ? found.depth : found.diameter / 4.0;
-            for (int i = 0; const ReliefSize& size : reliefSizes) {
-                auto& kept = next.*size.given;
-                kept = i++ == sought                      ? std::nullopt
-                       : !kept && found.*size.found > 0.0 ? std::optional(found.*size.found)
-                                                          : kept;
-            }
-        });
-    };
-    form->choice(
-            {}, tr("&Find"),
-            {tr("depth h"), tr("length b"), tr("diameter D"), tr("none, check only")},
-            tr("Enter two sizes; the third follows from the unbalance m₁ ρ₁."),
-            [given] {
-                return static_cast<int>(std::ranges::find_if(reliefSizes,
-                                                             [&](const ReliefSize& size) {
-                                                                 return !(given().*size.given);
-                                                             }) -
-                                        reliefSizes.begin());
-            },
-            find)
-        ->setAccessibleName(tr("Computed size"));
-    for (const std::size_t i : {2U, 0U, 1U}) {
-        const ReliefSize& size = reliefSizes[i];
+    for (const ReliefSize& size : reliefSizes) {
         NumberField* number = form->number(
-            size.field,
-            [this, given, &size] {
-                const double metres =
-                    (given().*size.given).value_or(model_->result().relieved_shaft.*size.found);
-                return metres > 0.0 ? std::optional(metres) : std::nullopt;
-            },
+            size.field, [given, &size] { return given().*size.given; },
             [set, &size](std::optional<double> value) {
-                set(fieldName(size.field),
-                    [&](RelievedShaftSizes& next) { next.*size.given = value; });
+                set(size.field, [&](RelievedShaftSizes& next) { next.*size.given = value; });
             });
-        form->follow(
-            [given, number, &size] { number->setEnabled((given().*size.given).has_value()); });
         number->setDigits(6);  // a size that was found has more than fit
+        // Two of the three are given: none of the two can be left blank.
+        form->follow([given, number, &size] {
+            const RelievedShaftSizes sizes = given();
+            number->setOptional(!(sizes.*size.given) ||
+                                (sizes.diameter && sizes.depth && sizes.length));
+        });
+        showAssumed(form, number, [this, &size] {
+            const double metres = model_->result().relieved_shaft.*size.found;
+            return metres > 0.0 ? std::optional(metres / units::mm) : std::nullopt;
+        });
     }
     form->number(
         field::density, [given] { return given().density; },
         [set](std::optional<double> value) {
-            set(fieldName(field::density),
-                [&](RelievedShaftSizes& next) { next.density = *value; });
+            set(field::density, [&](RelievedShaftSizes& next) { next.density = *value; });
         });
+    form->current()->addWide(
+        captionLabel(tr("Enter two sizes; the third follows from the unbalance m₁ ρ₁."), form));
 }
 
 }  // namespace ravnoves
