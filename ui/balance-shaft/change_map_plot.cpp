@@ -125,15 +125,6 @@ bool ChangeMapPlot::event(QEvent* event) {
     return PartPlot::event(event);
 }
 
-QPolygonF ChangeMapPlot::inPixels(const QPolygonF& line) const {
-    QPolygonF drawn;
-    drawn.reserve(line.size());
-    for (const QPointF& point : line) {
-        drawn << toPixel(point.x(), point.y());
-    }
-    return drawn;
-}
-
 void ChangeMapPlot::paintGround(QPainter& painter) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -149,7 +140,11 @@ void ChangeMapPlot::paintGround(QPainter& painter) {
             {contour.level == 0.0 ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
              {}});
         for (const QPolygonF& line : contour.lines) {
-            all.back().lines.push_back(inPixels(line));
+            QPolygonF& drawn = all.back().lines.emplace_back();
+            drawn.reserve(line.size());
+            for (const QPointF& point : line) {
+                drawn << toPixel(point.x(), point.y());
+            }
         }
     }
     painter.setBrush(Qt::NoBrush);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QPolygonF>
 
 #include "balance-shaft/model/change_contours.h"
 #include "page/part_views.h"
@@ -30,8 +29,6 @@ class ChangeMapPlot : public PartPlot {
     virtual void paintOnField(QPainter& /*painter*/) {}
     /// What a tip says of a place of the chart; how to read the map is said beside it.
     virtual QString tipAt(const QPointF& pixel) const = 0;
-    /// A line in the units of the axes.
-    QPolygonF inPixels(const QPolygonF& line) const;
 
     void paintGround(QPainter& painter) override;
     double keyHeight() const override;

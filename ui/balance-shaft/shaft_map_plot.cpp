@@ -10,14 +10,12 @@
 #include <utility>
 
 #include "balance-shaft/solver.h"
-#include "model/reference_case.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
 #include "pictures/figure.h"
 #include "pictures/model/pixel.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
-#include "plot/plot_painter.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -51,7 +49,6 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
     setStatusTip(
         tr("Drag the shaft, or double-click its new place. The sliders of l and α move it "
            "by keys."));
-    setPaintsGhosts();
     connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showField);
     connect(map_, &ShaftMapModel::staleChanged, this, [this] {
         overCurvesChanged();
@@ -75,20 +72,12 @@ QString ShaftMapPlot::csv(const CsvFormat& format) const {
     return map_->fieldCsv(format);
 }
 
-// The reference.
-
-const ShaftMapModel* ShaftMapPlot::referenceMap() const {
-    const BalanceShaftModel* other = referenceOf(model_);
-    return other != nullptr && data().referenceShown ? other->shaftMap() : nullptr;
-}
-
 // What rests.
 
 void ShaftMapPlot::paintOnField(QPainter& painter) {
     if (map_->map() != nullptr) {
         paintBlocked(painter);
         paintLimits(painter);
-        paintReference(painter);
     }
 }
 
@@ -122,18 +111,15 @@ drawing::Frame ShaftMapPlot::frame() const {
     return {origin, (toPixel(1.0, 0.0).x() - origin.x()) / units::mm.to_si};
 }
 
-QPolygonF ShaftMapPlot::inFrame(const QPolygonF& metres) const {
-    const drawing::Frame to = frame();
-    const double k = to.pixelsPerUnit;
-    return QTransform(k, 0.0, 0.0, -k, to.origin.x(), to.origin.y()).map(metres);
-}
-
 void ShaftMapPlot::paintBlocked(QPainter& painter) const {
     const Theme& theme = Theme::instance();
+    const drawing::Frame to = frame();
+    const double k = to.pixelsPerUnit;
+    const QTransform inPixels(k, 0.0, 0.0, -k, to.origin.x(), to.origin.y());
     QPainterPath path;
     LinesOfPen edges{QPen(faint(theme.text(), 0.7), 1.0), {}};
     for (const QPolygonF& line : map_->map()->blocked) {
-        QPolygonF edge = inFrame(line);
+        QPolygonF edge = inPixels.map(line);
         path.addPolygon(edge);
         path.closeSubpath();
         // Round its corners, the first of them, too.
@@ -192,32 +178,6 @@ void ShaftMapPlot::paintLimits(QPainter& painter) const {
     }
 }
 
-void ShaftMapPlot::paintReference(QPainter& painter) const {
-    const ShaftMapModel* other = referenceMap();
-    if (other == nullptr || other->map() == nullptr) {
-        return;
-    }
-    // Wide and pale, as ghosts of curves are.
-    const Theme& theme = Theme::instance();
-    const auto wide = [&](double alpha, double width) {
-        return QPen(faint(theme.text(), alpha), strokeScale() * width, Qt::SolidLine, Qt::FlatCap,
-                    Qt::BevelJoin);
-    };
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(wide(0.18, 4.0));
-    for (const QPolygonF& line : other->map()->blocked) {
-        painter.drawPolygon(inFrame(line));
-    }
-    painter.setPen(wide(0.34, 6.0));
-    for (const ChangeContours::Contour& contour : other->field().contours) {
-        for (const QPolygonF& line : contour.lines) {
-            if (contour.level == 0.0) {
-                painter.drawPolyline(inPixels(line));
-            }
-        }
-    }
-}
-
 void ShaftMapPlot::paintEngine(QPainter& painter) const {
     const Theme& theme = Theme::instance();
     const balance_shaft::FrontView& sizes = model_->solver().front_view();
@@ -271,12 +231,6 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
         map_->map() != nullptr ? map_->isBuildable(present) : model_->result().is_buildable;
     const QColor colour = canBeBuilt ? theme.accent() : theme.error();
     painter.setBrush(Qt::NoBrush);
-    if (const ShaftMapModel* other = referenceMap()) {
-        const auto was = other->present();
-        painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
-        drawCircle(painter, crank, frame.length(was.centre_distance()));
-        paintDisc(painter, frame.at(was), handleRadius);
-    }
     painter.setPen(QPen(theme.accent(), 1.4));
     drawCircle(painter, crank, frame.length(present.centre_distance()));
     painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));

@@ -28,8 +28,6 @@ class ShaftMapPlot : public ChangeMapPlot {
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
-    /// The map of the reference; null without one, or switched off.
-    const ShaftMapModel* referenceMap() const;
 
   Q_SIGNALS:
     /// The place under the pointer, as text; empty where it left.
@@ -53,13 +51,10 @@ class ShaftMapPlot : public ChangeMapPlot {
   private:
     /// Where places (m) are drawn: the axes are in mm and of one scale.
     drawing::Frame frame() const;
-    QPolygonF inFrame(const QPolygonF& metres) const;
     /// Infeasible places: hatched.
     void paintBlocked(QPainter& painter) const;
     /// The limits on its place that the case gives: walls, distances, angles.
     void paintLimits(QPainter& painter) const;
-    /// Of a reference: infeasible places and the line of no change, dimmed.
-    void paintReference(QPainter& painter) const;
     /// Cylinder, piston, rod and crank at the angle of the crank.
     void paintEngine(QPainter& painter) const;
     /// The shaft with the circle of its l, red where it is infeasible.

@@ -103,8 +103,6 @@ class PlotView : public QWidget {
     void setImage(const QImage& image, const QRectF& values);
     /// Repaints the layer over the curves.
     void overCurvesChanged();
-    /// It paints of a reference more than curves, so that the legend has its entry in any case.
-    void setPaintsGhosts() { data_.paintsGhosts = true; }
     /// The values under the pointer are read out as it moves.
     virtual bool readsUnderPointer() const { return true; }
     /// Height of a key of its own between title and chart, pixels.

@@ -180,8 +180,8 @@ const PlotCurve* PlotData::ghostOf(const PlotCurve& curve) const {
 
 bool PlotData::hasGhosts() const {
     return reference != nullptr &&
-           (paintsGhosts || std::any_of(reference->curves.begin(), reference->curves.end(),
-                                        [](const PlotCurve& curve) { return !curve.x.empty(); }));
+           std::any_of(reference->curves.begin(), reference->curves.end(),
+                       [](const PlotCurve& curve) { return !curve.x.empty(); });
 }
 
 bool PlotData::hasSpread() const {

@@ -165,7 +165,6 @@ struct PlotData {
     const PlotData* reference = nullptr;
     QString referenceName = {};
     bool referenceShown = true;
-    bool paintsGhosts = false;  ///< a drawing that shows more of the reference than its curves
 
     /// The layer to be painted again.
     enum class Change { Top, Curves, Chart };
