@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include "balance-shaft/model/change_contours.h"
 #include "page/part_views.h"
 

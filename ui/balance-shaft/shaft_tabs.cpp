@@ -9,7 +9,6 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
-#include "balance-shaft/shaft_map_view.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
 #include "text/message_text.h"
@@ -32,7 +31,7 @@ ShaftTabs::ShaftTabs(BalanceShaftModel* model, QWidget* parent)
     };
     beginGroup(tr("Design"));
     add(buildMoments(), "moments", tr("Moments"));
-    add(new ShaftMapView(model_, this), "map", tr("Map"));
+    add(buildMap(), "map", tr("Map"));
     add(buildSpeed(), "speed", tr("Speed"));
     add(buildSize(), "envelope", tr("Size"));
     beginGroup(tr("Analysis"));

@@ -34,6 +34,7 @@ class ShaftTabs : public FittedTabs {
     QWidget* buildFlywheel();
     Form* buildFlywheelForm(QWidget* parent);
     QWidget* buildForces();
+    QWidget* buildMap();
     QWidget* buildSpeed();
     Form* buildBand(SpeedStudyModel* study);
     QWidget* buildRelief();

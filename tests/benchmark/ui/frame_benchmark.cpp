@@ -33,7 +33,6 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
-#include "balance-shaft/shaft_map_view.h"
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "inertia-moments/inertia_moments_page.h"
@@ -104,7 +103,7 @@ std::map<std::string, std::function<Drag()>> drags() {
         {"balance-shaft, axis",
          [] {
              auto* page = new BalanceShaftPage;
-             showTabOf(page->findChild<ShaftMapView*>());
+             showTabOf(page->findChild<QWidget*>(QStringLiteral("map")));
              page->show();
              ShaftMapModel* map = page->viewModel()->shaftMap();
              while (map->job()->isRunning()) {

@@ -13,7 +13,6 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/shaft_map_plot.h"
-#include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/shaft_tabs.h"
 #include "model/background_job.h"
 #include "model/reference_case.h"
@@ -61,7 +60,7 @@ class ShaftMapTest : public test::PageTest<BalanceShaftPage> {
     QString words() { return find<QLabel>("shaft_map_words")->text(); }
     bool says(const char* text) { return words().contains(QString::fromUtf8(text)); }
     ShaftMapModel* map = model->shaftMap();
-    ShaftMapView* view = page.findChild<ShaftMapView*>();
+    QWidget* view = find<QWidget>("map");
     ShaftMapPlot* plot = page.findChild<ShaftMapPlot*>();
     PartPlot* sizes = partPlot(page, "front");
     QPushButton* best = find<QPushButton>("go_best_place");

@@ -1,6 +1,5 @@
-#include "balance-shaft/shaft_map_view.h"
-
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -24,6 +23,45 @@
 #include "widgets/panel.h"
 
 namespace ravnoves {
+
+namespace {
+
+/// Positions the shaft: the map of its places over the front view, the limits on them, and the cost
+/// of the criterion in size.
+class ShaftMapView final : public QWidget {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftMapView)
+
+  public:
+    ShaftMapView(BalanceShaftModel* model, QWidget* parent);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    QWidget* buildBar();
+    QWidget* buildLimits();
+    QWidget* buildSizes();
+    void showMap();
+    void showPresent();
+    void showStale();
+    bool nothingIsBuilt() const;  ///< though there is something to balance
+    void showWords(const QString& hovered = {});
+    /// Room for the words, so that the map rests while they change.
+    void fitWords();
+    void pickSize(double size, double change);
+
+    BalanceShaftModel* model_;
+    ShaftMapModel* map_;
+    FieldSlider* distance_;
+    QComboBox* criterion_;
+    QPushButton* best_;
+    QLabel* words_;
+    QWidget* wordsRoom_;  ///< what the words may take
+    ShaftMapPlot* plot_;
+    PartPlot* sizes_;
+};
 
 ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), map_(model->shaftMap()) {
@@ -216,6 +254,12 @@ void ShaftMapView::pickSize(double size, double change) {
     if (std::hypot(away.x(), away.y()) <= reach) {
         map_->moveTo(map_->shortened(nearest.position, map_->criterion()));
     }
+}
+
+}  // namespace
+
+QWidget* ShaftTabs::buildMap() {
+    return new ShaftMapView(model_, this);
 }
 
 }  // namespace ravnoves
