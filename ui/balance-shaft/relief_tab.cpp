@@ -49,111 +49,106 @@ class RelievedShaftDrawing : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::RelievedShaftDrawing)
 
   public:
-    RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent);
+    RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent)
+        : QWidget(parent), model_(model) {
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+        setAccessibleName(tr("Drawing of the shaft with a relieved middle"));
+        connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+        connect(model, &SceneModel::changed, this, &RelievedShaftDrawing::follow);
+        makeFigure(this);
+        follow();
+    }
 
     QSize sizeHint() const override { return {600, 220}; }
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const Theme& theme = Theme::instance();
+        painter.fillRect(rect(), theme.panel());
+        painter.setFont(Theme::font(Theme::smallSize));
+        const RelievedShaft& shaft = model_->result().relieved_shaft;
+        if (!(shaft.half_width > 0.0)) {
+            painter.setPen(theme.mutedText());
+            painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
+            return;
+        }
+        // Section at the left, a gap of one diameter, the side view with half a diameter of whole
+        // bar on both sides.
+        const double wide = 3.0 * shaft.diameter + shaft.length;
+        const double row = painter.fontMetrics().height();
+        const double axes = 8.0;  // of the section, beyond it
+        const double margin = axes + 12.0 + row;
+        const double scale =
+            std::min((width() - 2.0 * margin) / wide, (height() - 2.0 * margin) / shaft.diameter);
+        if (scale <= 0.0) {
+            return;
+        }
+        const double radius = scale * shaft.diameter / 2.0;
+        const double flat = radius - scale * shaft.depth;
+        const double end = scale * shaft.length / 2.0;
+        const double outer = end + radius;
+        const QPointF section((width() - wide * scale) / 2.0 + radius, height() / 2.0);
+        const QPointF side(section.x() + 3.0 * radius + outer, section.y());
+        // From the middle of what was cut off to the flat's corner.
+        const double angle = std::atan2(flat, scale * shaft.half_width) / degree;
+        const QRectF circle(section - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
+        QPainterPath outline;
+        outline.arcMoveTo(circle, 180.0 - angle);
+        outline.arcTo(circle, 180.0 - angle, 180.0 + 2.0 * angle);
+        outline.closeSubpath();
+        outline.addPolygon(QPolygonF{QPointF(-outer, radius), QPointF(outer, radius),
+                                     QPointF(outer, -radius), QPointF(end, -radius),
+                                     QPointF(end, -flat), QPointF(-end, -flat),
+                                     QPointF(-end, -radius), QPointF(-outer, -radius)}
+                               .translated(side));
+        outline.closeSubpath();
+        QColor steel = theme.colour(Role::Neutral);
+        steel.setAlpha(60);
+        painter.setPen(QPen(theme.text(), 1.6));
+        painter.setBrush(steel);
+        painter.drawPath(outline);
+        const auto line = [&](const QPointF& middle, const QPointF& reach, double up = 0.0) {
+            const QPointF at = middle - QPointF(0.0, up);
+            painter.drawLine(at - reach, at + reach);
+        };
+        painter.setPen(QPen(theme.colour(Role::Shaft), 1.2, Qt::DashLine));  // what was cut off
+        painter.drawArc(circle, static_cast<int>(16 * angle),
+                        static_cast<int>(16 * (180 - 2 * angle)));
+        line(side, {end, 0.0}, radius);
+        painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashDotLine));
+        line(section, {radius + axes, 0.0});
+        line(section, {0.0, radius + axes});
+        line(side, {end + 1.2 * radius, 0.0});
+        // Centre of mass.
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme.accent());
+        painter.drawEllipse(section + QPointF(0.0, scale * shaft.centre_of_mass_radius), 3.5, 3.5);
+
+        painter.setPen(theme.text());
+        const auto size = [&](const QPointF& at, const QString& sign, double metres) {
+            drawing::drawCentred(painter, at, sign + shownNumber(metres, units::mm, 1));
+        };
+        const QPointF below(0.0, radius + axes + 4.0 + row / 2.0);
+        size(section + below, QStringLiteral("⌀ "), shaft.diameter);
+        size(section - below, QStringLiteral("h "), shaft.depth);
+        size(side - below, QStringLiteral("b "), shaft.length);
+    }
 
   private:
-    void follow();
+    void follow() {
+        const RelievedShaft& shaft = model_->result().relieved_shaft;
+        const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
+        setAccessibleDescription(
+            shaft.half_width > 0.0 ? tr("Bar of %1, its middle cut %2 deep over %3.")
+                                         .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length))
+                                   : tr("No shaft of these sizes"));
+        update();
+    }
 
     BalanceShaftModel* model_;
 };
-
-RelievedShaftDrawing::RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    setAccessibleName(tr("Drawing of the shaft with a relieved middle"));
-    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
-    connect(model, &SceneModel::changed, this, &RelievedShaftDrawing::follow);
-    makeFigure(this);
-    follow();
-}
-
-void RelievedShaftDrawing::follow() {
-    const RelievedShaft& shaft = model_->result().relieved_shaft;
-    const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
-    setAccessibleDescription(shaft.half_width > 0.0
-                                 ? tr("Bar of %1, its middle cut %2 deep over %3.")
-                                       .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length))
-                                 : tr("No shaft of these sizes"));
-    update();
-}
-
-void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const Theme& theme = Theme::instance();
-    painter.fillRect(rect(), theme.panel());
-    painter.setFont(Theme::font(Theme::smallSize));
-    const RelievedShaft& shaft = model_->result().relieved_shaft;
-    if (!(shaft.half_width > 0.0)) {
-        painter.setPen(theme.mutedText());
-        painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
-        return;
-    }
-    // Section at the left, a gap of one diameter, the side view with half a diameter of whole bar
-    // on both sides.
-    const double wide = 3.0 * shaft.diameter + shaft.length;
-    const double row = painter.fontMetrics().height();
-    const double axes = 8.0;  // of the section, beyond it
-    const double margin = axes + 12.0 + row;
-    const double scale =
-        std::min((width() - 2.0 * margin) / wide, (height() - 2.0 * margin) / shaft.diameter);
-    if (scale <= 0.0) {
-        return;
-    }
-    const double radius = scale * shaft.diameter / 2.0;
-    const double flat = radius - scale * shaft.depth;
-    const double end = scale * shaft.length / 2.0;
-    const double outer = end + radius;
-    const QPointF section((width() - wide * scale) / 2.0 + radius, height() / 2.0);
-    const QPointF side(section.x() + 3.0 * radius + outer, section.y());
-    // From the middle of what was cut off to the flat's corner.
-    const double angle = std::atan2(flat, scale * shaft.half_width) / degree;
-    const QRectF circle(section - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
-    QPainterPath outline;
-    outline.arcMoveTo(circle, 180.0 - angle);
-    outline.arcTo(circle, 180.0 - angle, 180.0 + 2.0 * angle);
-    outline.closeSubpath();
-    outline.addPolygon(QPolygonF{QPointF(-outer, radius), QPointF(outer, radius),
-                                 QPointF(outer, -radius), QPointF(end, -radius),
-                                 QPointF(end, -flat), QPointF(-end, -flat), QPointF(-end, -radius),
-                                 QPointF(-outer, -radius)}
-                           .translated(side));
-    outline.closeSubpath();
-    QColor steel = theme.colour(Role::Neutral);
-    steel.setAlpha(60);
-    painter.setPen(QPen(theme.text(), 1.6));
-    painter.setBrush(steel);
-    painter.drawPath(outline);
-    const auto line = [&](const QPointF& middle, const QPointF& reach, double up = 0.0) {
-        const QPointF at = middle - QPointF(0.0, up);
-        painter.drawLine(at - reach, at + reach);
-    };
-    painter.setPen(QPen(theme.colour(Role::Shaft), 1.2, Qt::DashLine));  // what was cut off
-    painter.drawArc(circle, static_cast<int>(16 * angle), static_cast<int>(16 * (180 - 2 * angle)));
-    line(side, {end, 0.0}, radius);
-    painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashDotLine));
-    line(section, {radius + axes, 0.0});
-    line(section, {0.0, radius + axes});
-    line(side, {end + 1.2 * radius, 0.0});
-    // Centre of mass.
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme.accent());
-    painter.drawEllipse(section + QPointF(0.0, scale * shaft.centre_of_mass_radius), 3.5, 3.5);
-
-    painter.setPen(theme.text());
-    const auto size = [&](const QPointF& at, const QString& sign, double metres) {
-        drawing::drawCentred(painter, at, sign + shownNumber(metres, units::mm, 1));
-    };
-    const QPointF below(0.0, radius + axes + 4.0 + row / 2.0);
-    size(section + below, QStringLiteral("⌀ "), shaft.diameter);
-    size(section - below, QStringLiteral("h "), shaft.depth);
-    size(side - below, QStringLiteral("b "), shaft.length);
-}
 
 }  // namespace
 

@@ -36,79 +36,74 @@ class SpeedMapPlot : public ChangeMapPlot {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::SpeedMapPlot)
 
   public:
-    SpeedMapPlot(BalanceShaftModel* model, QWidget* parent);
+    SpeedMapPlot(BalanceShaftModel* model, QWidget* parent)
+        : ChangeMapPlot(model, "speed-map", 2.0 * Theme::margin, parent),
+          study_(model->speedStudy()) {
+        setPickable(true);
+        connect(this, &PlotView::pickedAt, study_, &SpeedStudyModel::pick);
+        connect(study_, &SpeedStudyModel::mapChanged, this, &SpeedMapPlot::showField);
+        showField();
+    }
 
     /// The field under the picture.
-    QString csv(const CsvFormat& format) const override;
+    QString csv(const CsvFormat& format) const override {
+        if (!study_->isSolved()) {
+            return {};
+        }
+        const ShownTitle speed = shownTitle(tr("n, min⁻¹"));
+        QString text = format.line({speed.text, tr("α, °"), title()});
+        const QRectF& where = field().where;
+        const std::size_t columns = field().columns;
+        const std::size_t rows = field().changes.size() / columns;
+        const auto number = [&format](double from, double span, std::size_t i, std::size_t count) {
+            return format.number(from +
+                                 span * static_cast<double>(i) / static_cast<double>(count - 1));
+        };
+        for (std::size_t i = 0; i < field().changes.size(); ++i) {
+            text += format.line({number(speed.factor * where.top(), speed.factor * where.height(),
+                                        i / columns, rows),
+                                 number(where.left(), where.width(), i % columns, columns),
+                                 format.number(100.0 * field().changes[i])});
+        }
+        return text;
+    }
 
   protected:
     const ChangeContours& field() const override { return study_->map(); }
-    void showField() override;
+    void showField() override {
+        setToolTip(!study_->isSolved()
+                       ? QString()
+                       : tr("Blue: smaller with the shaft; orange: larger; thick line: "
+                            "no change; shaded: does not fit. Click to set α and, with "
+                            "a computed torque, the speed."));
+        ChangeMapPlot::showField();
+    }
+
     /// α, speed and change at a place of the chart.
-    QString tipAt(const QPointF& pixel) const override;
-    void mouseMoveEvent(QMouseEvent* event) override;
+    QString tipAt(const QPointF& pixel) const override {
+        if (!study_->isSolved() || !plotArea().contains(pixel)) {
+            return {};
+        }
+        const double angle = xAt(pixel.x());
+        const double speed = yAt(pixel.y());
+        const double change = study_->changeAt(angle, speed);
+        const QLocale locale;
+        return tr("α %1°, n %2: %3")
+            .arg(fixedNumber(angle, 1, locale), shownNumber(speed * units::rpm, units::rpm, 0),
+                 (change > 0.0 ? tr("%1 % worse") : tr("%1 % better"))
+                     .arg(fixedNumber(std::abs(change) / units::percent, 1, locale)));
+    }
+
+    void mouseMoveEvent(QMouseEvent* event) override {
+        QToolTip::showText(event->globalPosition().toPoint(), tipAt(event->position()), this);
+        if (event->buttons() != Qt::NoButton) {
+            PlotView::mouseMoveEvent(event);
+        }
+    }
 
   private:
     SpeedStudyModel* study_;
 };
-
-SpeedMapPlot::SpeedMapPlot(BalanceShaftModel* model, QWidget* parent)
-    : ChangeMapPlot(model, "speed-map", 2.0 * Theme::margin, parent), study_(model->speedStudy()) {
-    setPickable(true);
-    connect(this, &PlotView::pickedAt, study_, &SpeedStudyModel::pick);
-    connect(study_, &SpeedStudyModel::mapChanged, this, &SpeedMapPlot::showField);
-    showField();
-}
-
-void SpeedMapPlot::showField() {
-    setToolTip(!study_->isSolved() ? QString()
-                                   : tr("Blue: smaller with the shaft; orange: larger; thick line: "
-                                        "no change; shaded: does not fit. Click to set α and, with "
-                                        "a computed torque, the speed."));
-    ChangeMapPlot::showField();
-}
-
-QString SpeedMapPlot::tipAt(const QPointF& pixel) const {
-    if (!study_->isSolved() || !plotArea().contains(pixel)) {
-        return {};
-    }
-    const double angle = xAt(pixel.x());
-    const double speed = yAt(pixel.y());
-    const double change = study_->changeAt(angle, speed);
-    const QLocale locale;
-    return tr("α %1°, n %2: %3")
-        .arg(fixedNumber(angle, 1, locale), shownNumber(speed * units::rpm, units::rpm, 0),
-             (change > 0.0 ? tr("%1 % worse") : tr("%1 % better"))
-                 .arg(fixedNumber(std::abs(change) / units::percent, 1, locale)));
-}
-
-void SpeedMapPlot::mouseMoveEvent(QMouseEvent* event) {
-    QToolTip::showText(event->globalPosition().toPoint(), tipAt(event->position()), this);
-    if (event->buttons() != Qt::NoButton) {
-        PlotView::mouseMoveEvent(event);
-    }
-}
-
-QString SpeedMapPlot::csv(const CsvFormat& format) const {
-    if (!study_->isSolved()) {
-        return {};
-    }
-    const ShownTitle speed = shownTitle(tr("n, min⁻¹"));
-    QString text = format.line({speed.text, tr("α, °"), title()});
-    const QRectF& where = field().where;
-    const std::size_t columns = field().columns;
-    const std::size_t rows = field().changes.size() / columns;
-    const auto number = [&format](double from, double span, std::size_t i, std::size_t count) {
-        return format.number(from + span * static_cast<double>(i) / static_cast<double>(count - 1));
-    };
-    for (std::size_t i = 0; i < field().changes.size(); ++i) {
-        text += format.line(
-            {number(speed.factor * where.top(), speed.factor * where.height(), i / columns, rows),
-             number(where.left(), where.width(), i % columns, columns),
-             format.number(100.0 * field().changes[i])});
-    }
-    return text;
-}
 
 }  // namespace
 
