@@ -6,7 +6,6 @@
 #include <QTabWidget>
 
 #include "balance-shaft/fields.h"
-#include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/shaft_tabs.h"
 #include "balance-shaft/torque_source_editor.h"
@@ -172,8 +171,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     holder->setMaximumWidth(Theme::withText(440));
     QVBoxLayout* column = columnIn(holder);
 
-    auto* picturePanel = new PicturePanel(
-        new MechanismView(model_), tr("Crank angle of the picture; 0 is top dead centre"), holder);
+    PicturePanel* picturePanel = buildPicture(holder);
     playAction_ = picturePanel->action();
     column->addWidget(picturePanel, 1);
 

@@ -12,6 +12,7 @@ class QTabWidget;
 namespace ravnoves {
 
 class Form;
+class PicturePanel;
 
 /// The balance-shaft page: inputs, α slider, tabs, picture, results.
 class BalanceShaftPage : public ScenePage {
@@ -30,6 +31,7 @@ class BalanceShaftPage : public ScenePage {
     QTabWidget* buildInputs();
     QWidget* buildPlots();
     QWidget* buildAnswer();
+    PicturePanel* buildPicture(QWidget* parent);
     QGridLayout* buildBest(QWidget* parent);
     void addEngine(Form* form);
     void addMasses(Form* form);

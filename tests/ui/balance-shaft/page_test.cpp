@@ -17,11 +17,11 @@
 #include <cmath>
 #include <set>
 
-#include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/torque_table_model.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "import_file.h"
+#include "page/mechanism_picture.h"
 #include "page_fixture.h"
 #include "text/message_text.h"
 #include "widgets/verdict_line.h"
@@ -210,11 +210,11 @@ TEST_F(BalanceShaftPageTest, OffsetCylinderIsDrawnAndTurned) {
     type("offset_mm", QStringLiteral("8"));
     EXPECT_EQ(model->input().cylinder.offset, 8e-3);
     EXPECT_GT(model->result().dead_centre, 0.0);
-    EXPECT_FALSE(page.findChild<MechanismView*>()->grab().isNull());
+    EXPECT_FALSE(page.findChild<MechanismPicture*>()->grab().isNull());
     // A click straight above the crank's axis turns the crank there, before top dead centre.
     model->crank()->turnTo(60.0);
-    QTest::mouseClick(page.findChild<MechanismView*>(), Qt::LeftButton, {},
-                      QPoint(page.findChild<MechanismView*>()->width() / 2, 30));
+    QTest::mouseClick(page.findChild<MechanismPicture*>(), Qt::LeftButton, {},
+                      QPoint(page.findChild<MechanismPicture*>()->width() / 2, 30));
     EXPECT_NEAR(model->crank()->degrees() + model->result().dead_centre / degree, 360.0, 0.5);
     model->history()->undo();
     EXPECT_EQ(model->input().cylinder.offset, 0.0);
