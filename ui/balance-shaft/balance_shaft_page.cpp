@@ -49,9 +49,7 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
             this),
         1);
 
-    connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showBest);
     connect(model_, &BalanceShaftModel::rejected, this, &ScenePage::status);
-    showBest();
 }
 
 void BalanceShaftPage::addEngine(Form* form) {
@@ -172,7 +170,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     QVBoxLayout* column = columnIn(holder);
 
     PicturePanel* picturePanel = buildPicture(holder);
-    playAction_ = picturePanel->action();
+    actions_ << picturePanel->action();
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);
@@ -194,39 +192,35 @@ QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
     grid->setHorizontalSpacing(Theme::space);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
-    const auto add = [&](Best& best, int row, const char* part, const char* name,
-                         const QString& act, Criterion criterion) {
+    const auto add = [&](int row, const char* part, const char* name, const QString& act,
+                         Criterion criterion) {
         const auto go = [this, criterion] { model_->goToBest(criterion); };
-        best.criterion = criterion;
-        best.action = new QAction(act, this);
-        connect(best.action, &QAction::triggered, model_, go);
+        auto* action = new QAction(act, this);
+        connect(action, &QAction::triggered, model_, go);
+        actions_ << action;
         auto* label = new PartText(model_, part, parent);
         label->setFont(Theme::font());
         colourText(label, &Theme::text);
         label->setToolTip(tr("Over all feasible α, exact for the continuous cycle"));
-        best.button = new QPushButton(tr("Apply"), parent);
-        best.button->setObjectName(QLatin1String(name));
-        best.button->setAccessibleName(QString(act).remove(QLatin1Char('&')));
-        connect(best.button, &QPushButton::clicked, model_, go);
+        auto* button = new QPushButton(tr("Apply"), parent);
+        button->setObjectName(QLatin1String(name));
+        button->setAccessibleName(QString(act).remove(QLatin1Char('&')));
+        connect(button, &QPushButton::clicked, model_, go);
+        const auto show = [=, this] {
+            enableWhereFeasible(*button, model_->result().buildable);
+            button->setEnabled(button->isEnabled() && model_->best(criterion).shaft_angle);
+            action->setEnabled(button->isEnabled());
+        };
+        connect(model_, &SceneModel::changed, button, show);
+        show();
         grid->addWidget(new Apart(label, parent), row, 0);
-        grid->addWidget(best.button, row, 1);
+        grid->addWidget(button, row, 1);
+        return action;
     };
-    add(best_[0], 0, "best-range", "go_best_range", tr("Apply the α of the minimum &range"),
-        Criterion::range);
-    add(best_[1], 1, "best-rms", "go_best_rms", tr("Apply the α of the minimum R&MS"),
-        Criterion::rms);
-    best_[0].action->setIcon(themedIcon(QStringLiteral("best")));
+    add(0, "best-range", "go_best_range", tr("Apply the α of the minimum &range"), Criterion::range)
+        ->setIcon(themedIcon(QStringLiteral("best")));
+    add(1, "best-rms", "go_best_rms", tr("Apply the α of the minimum R&MS"), Criterion::rms);
     return grid;
-}
-
-void BalanceShaftPage::showBest() {
-    for (const Best& best : best_) {
-        enableWhereFeasible(*best.button, model_->result().buildable);
-        if (!model_->best(best.criterion).shaft_angle) {
-            best.button->setEnabled(false);
-        }
-        best.action->setEnabled(best.button->isEnabled());
-    }
 }
 
 void BalanceShaftPage::doVerdictAct() {

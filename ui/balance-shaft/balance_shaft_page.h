@@ -1,12 +1,9 @@
 #pragma once
 
-#include <array>
-
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "page/scene_page.h"
 
 class QGridLayout;
-class QPushButton;
 class QTabWidget;
 
 namespace ravnoves {
@@ -23,9 +20,7 @@ class BalanceShaftPage : public ScenePage {
 
     SceneModel* model() override { return model_; }
     BalanceShaftModel* viewModel() { return model_; }
-    QList<QAction*> sceneActions() override {
-        return {playAction_, best_[0].action, best_[1].action};
-    }
+    QList<QAction*> sceneActions() override { return actions_; }
 
   private:
     QTabWidget* buildInputs();
@@ -37,18 +32,10 @@ class BalanceShaftPage : public ScenePage {
     void addMasses(Form* form);
     /// A size in mm that the front view assumes where it is not given.
     void addAssumed(Form* form, const char* place, double balance_shaft::FrontView::*size);
-    void showBest();
     void doVerdictAct();
 
     BalanceShaftModel* model_;
-    /// The two ways to the best α of a criterion.
-    struct Best {
-        BalanceShaftModel::Criterion criterion;
-        QPushButton* button;
-        QAction* action;
-    };
-    std::array<Best, 2> best_{};
-    QAction* playAction_ = nullptr;
+    QList<QAction*> actions_;
 };
 
 }  // namespace ravnoves

@@ -199,26 +199,37 @@ QWidget* TorqueSourceEditor::buildNoTable() {
 }
 
 QWidget* TorqueSourceEditor::buildCheck() {
-    check_ = new QWidget(this);
+    auto* check = new QWidget(this);
     QVBoxLayout* column =
-        columnIn(check_, Theme::gap, {Theme::margin, 0, Theme::margin, Theme::gap});
-    checkText_ = copyableCaption("", check_);
-    column->addWidget(checkText_);
-    remedies_ = new QWidget(check_);
-    QHBoxLayout* row = rowIn(remedies_, Theme::gap);
-    useSpeed_ = new QPushButton(tr("Use its speed"), remedies_);
-    useSpeed_->setObjectName(QStringLiteral("use_matching_speed"));
-    useSpeed_->setToolTip(
+        columnIn(check, Theme::gap, {Theme::margin, 0, Theme::margin, Theme::gap});
+    QLabel* text = copyableCaption("", check);
+    column->addWidget(text);
+    auto* remedies = new QWidget(check);
+    QHBoxLayout* row = rowIn(remedies, Theme::gap);
+    auto* useSpeed = new QPushButton(tr("Use its speed"), remedies);
+    useSpeed->setObjectName(QStringLiteral("use_matching_speed"));
+    useSpeed->setToolTip(
         tr("Set the speed at which the masses give the inertia torque of the table."));
-    row->addWidget(useSpeed_);
-    row->addWidget(rebuildButton(model_, QStringLiteral("rebuild_torque"), remedies_));
-    column->addWidget(remedies_);
-    connect(useSpeed_, &QPushButton::clicked, this, [this] {
+    row->addWidget(useSpeed);
+    row->addWidget(rebuildButton(model_, QStringLiteral("rebuild_torque"), remedies));
+    column->addWidget(remedies);
+    connect(useSpeed, &QPushButton::clicked, this, [this] {
         model_->edit(tr("Use the torque's speed"), [this](Input& input) {
             input.angular_speed = model_->result().inertia_check.matching_speed;
         });
     });
-    return check_;
+    const auto show = [=, this] {
+        const balance_shaft::InertiaCheck& found = model_->result().inertia_check;
+        const bool isWrong = !found.warning.empty();
+        check->setVisible(!model_->input().torque.is_computed());
+        remedies->setVisible(isWrong);
+        useSpeed->setVisible(!found.is_of_other_rod);  // no speed makes another rod of it
+        colourText(text, isWrong ? &Theme::warning : &Theme::mutedText);
+        text->setText(messageText(found.text));
+    };
+    connect(model_, &SceneModel::changed, check, show);
+    show();
+    return check;
 }
 
 QPushButton* TorqueSourceEditor::rebuildButton(BalanceShaftModel* model, const QString& name,
@@ -230,20 +241,6 @@ QPushButton* TorqueSourceEditor::rebuildButton(BalanceShaftModel* model, const Q
            "speed."));
     connect(rebuild, &QPushButton::clicked, model, &BalanceShaftModel::rebuildTorque);
     return rebuild;
-}
-
-void TorqueSourceEditor::showCheck() {
-    const balance_shaft::InertiaCheck& check = model_->result().inertia_check;
-    const bool table = !model_->input().torque.is_computed();
-    check_->setVisible(table);
-    if (!table) {
-        return;
-    }
-    const bool wrong = !check.warning.empty();
-    remedies_->setVisible(wrong);
-    useSpeed_->setVisible(!check.is_of_other_rod);  // no speed makes another rod of it
-    colourText(checkText_, wrong ? &Theme::warning : &Theme::mutedText);
-    checkText_->setText(messageText(check.text));
 }
 
 QWidget* TorqueSourceEditor::buildPressure() {
@@ -361,7 +358,6 @@ void TorqueSourceEditor::showInput() {
         awaited_.reset();
     }
     showForm(awaited_.value_or(page));
-    showCheck();
 }
 
 }  // namespace ravnoves

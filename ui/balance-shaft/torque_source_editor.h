@@ -52,7 +52,6 @@ class TorqueSourceEditor : public QWidget {
     QWidget* buildPressure();
     QWidget* buildCycle();
     void showInput();
-    void showCheck();
     QWidget* buildCheck();
     QWidget* buildNoTable();
     void showForm(int page);
@@ -68,12 +67,8 @@ class TorqueSourceEditor : public QWidget {
     TorqueTableEditor* table_ = nullptr;
     QLabel* trace_ = nullptr;  ///< the file that the trace is of
     TroubleLine* trouble_ = nullptr;
-    QWidget* check_ = nullptr;
     QWidget* noTable_ = nullptr;
     TroubleLine* noTrace_ = nullptr;  ///< whose results they are, until there is a trace
-    QLabel* checkText_ = nullptr;
-    QWidget* remedies_ = nullptr;
-    QPushButton* useSpeed_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -73,7 +73,7 @@ class ShaftMapModel : public QObject {
     bool isStale() const;
 
     Criterion criterion() const { return model_->criterion(); }
-    bool byRange() const { return criterion() == Criterion::range; }
+    bool byRange() const { return model_->byRange(); }
     /// The model's criterion is another.
     void showCriterion();
     /// Change of the criterion against the engine without a shaft, as a fraction: −0.1 is 10 %

@@ -77,14 +77,10 @@ std::vector<double> inUnit(std::vector<double> values, const Unit& unit) {
     return values;
 }
 
-bool isByRange(const Model& model) {
-    return model.criterion() == Criterion::range;
-}
-
 /// Of a map of changes, in percent.
 QString changeTitle(const Model& model) {
-    return isByRange(model) ? ShaftParts::tr("Change in range vs. no shaft, %")
-                            : ShaftParts::tr("Change in RMS vs. no shaft, %");
+    return model.byRange() ? ShaftParts::tr("Change in range vs. no shaft, %")
+                           : ShaftParts::tr("Change in RMS vs. no shaft, %");
 }
 
 // The moments on the engine over φ and over α, how large they are over α, and what that costs.
@@ -293,7 +289,7 @@ Figure places(const Model& model) {
 Figure front(const Model& model) {
     Figure figure;
     figure.title =
-        isByRange(model) ? ShaftParts::tr("Range and size") : ShaftParts::tr("RMS and size");
+        model.byRange() ? ShaftParts::tr("Range and size") : ShaftParts::tr("RMS and size");
     figure.x = {.title = ShaftParts::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
     figure.left = {.title = ShaftParts::tr("change, %")};
     const ShaftMapModel* places = model.shaftMap();
@@ -433,7 +429,7 @@ Figure speedMap(const Model& model) {
     }
     figure.title = changeTitle(model);
     figure.bands = unbuildableBands(study->buildable());
-    Curve line = bestOverSpeed(*study, isByRange(model));
+    Curve line = bestOverSpeed(*study, model.byRange());
     figure.add("best",
                {.name = ShaftParts::tr("best α"), .role = Role::Best, .width = 2.0, .gaps = true},
                std::move(line.angle), std::move(line.speed));

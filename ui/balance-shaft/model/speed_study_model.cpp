@@ -109,8 +109,8 @@ ChangeContours SpeedStudyModel::mapOf(const SpeedStudy::Map& studied) const {
     std::vector<double> changes;
     changes.reserve(points.size() * (angles + 1));
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const double without = byRange() ? points[k].range_without : points[k].rms_without;
-        const double* with = (byRange() ? studied.range : studied.rms).data() + k * angles;
+        const double without = model_->byRange() ? points[k].range_without : points[k].rms_without;
+        const double* with = (model_->byRange() ? studied.range : studied.rms).data() + k * angles;
         for (std::size_t i = 0; i <= angles; ++i) {  // 360° is 0° again
             changes.push_back(without > 0.0 ? with[i % angles] / without - 1.0 : 0.0);
         }
@@ -152,7 +152,7 @@ QString SpeedStudyModel::answer() const {
     const double change = (best.value - 1.0) / units::percent;
     return tr("Best compromise α over the band, by %1 vs. no shaft: %2°. At the worst speed, %3, "
               "the %1 is %4 % %5.")
-               .arg(byRange() ? tr("range") : tr("RMS"),
+               .arg(model_->byRange() ? tr("range") : tr("RMS"),
                     fixedNumber(best.shaft_angle / degree, 1, locale),
                     shownNumber(best.worst_speed, units::rpm, 0),
                     fixedNumber(std::abs(change), 1, locale),

@@ -82,8 +82,7 @@ class SpeedStudyModel : public QObject {
 
     static Study studyOf(const balance_shaft::Input& input, const balance_shaft::SpeedBand& band,
                          const std::function<bool(double)>& progress);
-    bool byRange() const { return model_->criterion() == Criterion::range; }
-    const BestCompromise& among(const Best& best) const { return best[byRange() ? 0 : 1]; }
+    const BestCompromise& among(const Best& best) const { return best[model_->byRange() ? 0 : 1]; }
     void take(Study study, const QString& trouble);
     ChangeContours mapOf(const balance_shaft::SpeedStudy::Map& studied) const;
 
