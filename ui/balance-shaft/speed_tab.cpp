@@ -11,7 +11,6 @@
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/shaft_tabs.h"
 #include "balance-shaft/torque_source_editor.h"
-#include "model/background_job.h"
 #include "page/part_views.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
