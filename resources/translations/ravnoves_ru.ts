@@ -17163,6 +17163,10 @@ but at this l no α is feasible</source>
         <translation>Не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
     </message>
     <message>
+        <source>Not pasted: %1</source>
+        <translation>Не вставлено: %1</translation>
+    </message>
+    <message>
         <source>Not pasted: “%1” is not a mass in %2.</source>
         <translation>Не вставлено: «%1» — не масса в %2.</translation>
     </message>

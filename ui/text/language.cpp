@@ -71,12 +71,9 @@ void installLanguage(const QString& code) {
             installed = wanted;
         }
     }
-    // Numbers are written as the language's readers expect; an English interface on a desktop with
-    // a decimal comma keeps the desktop's numbers.
-    QLocale locale = QLocale::system();
-    if (!code.isEmpty() || locale.language() != QLocale(installed).language()) {
-        locale = QLocale(installed);
-    }
+    // Numbers are written as the language's readers expect, whatever the desktop's: a comma that
+    // may divide thousands is none of decimals elsewhere in the same language.
+    QLocale locale(installed);
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     QLocale::setDefault(locale);
     if (installed == QLatin1String("en")) {

@@ -126,10 +126,26 @@ std::pair<QString, QString> split(const QString& whole) {
     return {number, text.mid(end).trimmed()};
 }
 
-/// A number that stands alone, or numbers with + − * / and brackets between them.
-TypedNumber computed(QString text) {
-    if (const auto number = readFormNumber(text)) {
+/// A number that stands alone; where its comma may divide thousands, both meanings as text.
+TypedNumber alone(const QString& text) {
+    const auto number = readFormNumber(text);
+    const QLocale locale;
+    if (!number || locale.decimalPoint() != QLatin1String(".") ||
+        !may_have_thousands(text.toStdString())) {
         return {number, {}};
+    }
+    const auto whole = readFormNumber(QString(text).remove(QLatin1Char(',')));
+    constexpr int digits = 15;
+    return {std::nullopt, QCoreApplication::translate("ravnoves::NumberField",
+                                                      "“%1” may be %2 or %3: enter one of them.")
+                              .arg(text, shownFormNumber(whole.value_or(0.0), locale, digits),
+                                   shownFormNumber(*number, locale, digits))};
+}
+
+/// The same, or numbers with + − * / and brackets between them.
+TypedNumber computed(QString text) {
+    if (TypedNumber number = alone(text); number.value || !number.trouble.isEmpty()) {
+        return number;
     }
     text.replace(QChar(u'\u2212'), QLatin1Char('-'));
     text.replace(QChar(u'×'), QLatin1Char('*')).replace(QChar(u'÷'), QLatin1Char('/'));
@@ -142,16 +158,13 @@ TypedNumber computed(QString text) {
     qsizetype from = 0;
     for (auto each = numbers.globalMatch(text); each.hasNext();) {
         const auto match = each.next();
-        const auto number = readFormNumber(match.captured());
-        if (!number) {
-            return {};
-        }
-        if (const auto other = readWithThousands(match.captured(), {})) {
-            return {std::nullopt, eitherNumberText(match.captured(), *other, *number)};
+        const TypedNumber number = alone(match.captured());
+        if (!number.value) {
+            return number;
         }
         constexpr int exact = 17;
-        plain +=
-            text.mid(from, match.capturedStart() - from) + QString::number(*number, 'g', exact);
+        plain += text.mid(from, match.capturedStart() - from) +
+                 QString::number(*number.value, 'g', exact);
         from = match.capturedEnd();
     }
     plain += text.mid(from);
@@ -201,33 +214,12 @@ TypedNumber inUnit(const TypedNumber& typedNumber, const QString& word, const QS
 
 TypedNumber readTypedNumber(const QString& text, const QString& unit) {
     const auto [digits, word] = split(text.trimmed());
-    return inUnit({readFormNumber(digits), {}}, word, unit);
+    return inUnit(alone(digits), word, unit);
 }
 
 TypedNumber readTypedFormula(const QString& text, const QString& unit) {
     const auto [formula, word] = split(text.trimmed());
     return inUnit(computed(formula), word, unit);
-}
-
-std::optional<double> readWithThousands(const QString& text, const QString& unit) {
-    if (QLocale().decimalPoint() != QLatin1String(".") || !may_have_thousands(text.toStdString())) {
-        return std::nullopt;
-    }
-    return readTypedNumber(QString(text).remove(QLatin1Char(',')), unit).value;
-}
-
-QString eitherNumberText(const QString& text, double one, double other) {
-    constexpr int digits = 15;
-    const QLocale locale;
-    return QCoreApplication::translate("ravnoves::NumberField",
-                                       "“%1” may be %2 or %3: enter one of them.")
-        .arg(text, shownFormNumber(one, locale, digits), shownFormNumber(other, locale, digits));
-}
-
-QString thousandsTrouble(const QString& text, const QString& unit) {
-    const auto one = readWithThousands(text, unit);
-    const auto other = readTypedNumber(text, unit).value;
-    return one && other ? eitherNumberText(text, *one, *other) : QString();
 }
 
 QString notANumberText(const QString& text) {
@@ -286,10 +278,13 @@ std::vector<double> readNumberList(const QString& typed, const Field& field, con
         }
     }
     for (const QString& word : std::as_const(words)) {
-        auto value = readTypedNumber(word, shown.name).value;
+        auto [value, trouble] = readTypedNumber(word, shown.name);
         rejectEitherNumbers(
             word, where,
             isUsual == nullptr || !value || isUsual(*value / shown.factor * field.unit));
+        if (!trouble.isEmpty()) {
+            throw InputError(where, trouble.toStdString());
+        }
         if (!value) {
             throw InputError(where,
                              Text::tr("must be numbers with blanks or semicolons between them"),

@@ -11,26 +11,19 @@ namespace ravnoves {
 /// A number as a person types it, or a scale that is a keyboard: "568.5", "568,5 г", "1.2 kg".
 struct TypedNumber {
     std::optional<double> value;  ///< in the unit asked for; empty where it is no number
-    QString trouble;              ///< where only the unit is wrong, that as text
+    QString trouble;              ///< where only the unit is wrong, or it may be two, that as text
 };
 
 /// Reads a number with a unit behind it, or without one: then it is in `unit`, as are the results.
 /// Masses are taken in g, kg, mg, oz, lb, lengths in mm, cm, m, µm, in, mil, ft, densities in
 /// kg/m³ and g/cm³, in the letters of English, Russian and the language of the program, capital or
-/// not; of other quantities only the unit itself.
+/// not; of other quantities only the unit itself. Where the language has a decimal point, "3,600"
+/// may be 3600 or 3.6, and is rejected.
 /// @param unit  in the language of the program, as forms show it; empty for pure numbers
 TypedNumber readTypedNumber(const QString& text, const QString& unit);
 /// The same of a field on a form, where it may have to be computed first: "75/2", "2*46+3 mm". Not
 /// of lists and scales, where "8-10" is no difference.
 TypedNumber readTypedFormula(const QString& text, const QString& unit);
-
-/// The other meaning of a text that readTypedNumber() reads with a decimal comma: where the
-/// program's language writes a decimal point, "3,600" may be 3600. Empty for an unambiguous text.
-std::optional<double> readWithThousands(const QString& text, const QString& unit);
-/// Why such a text is rejected, with both numbers.
-QString eitherNumberText(const QString& text, double one, double other);
-/// The same for a text where any number may be; empty for an unambiguous one.
-QString thousandsTrouble(const QString& text, const QString& unit);
 
 /// That a text is no number; of a long one, as a table that was pasted into a field, its beginning.
 QString notANumberText(const QString& text);

@@ -90,10 +90,6 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     if (whole_ && std::floor(*number) != *number) {
         return {{}, tr("The value must be a whole number.")};
     }
-    const auto thousands = readWithThousands(typed, unit_);
-    if (thousands && range_.contains(*thousands)) {
-        return {{}, eitherNumberText(typed, *thousands, *number)};
-    }
     if (!range_.contains(*number)) {
         return {{}, tr("The value %1.").arg(rangeText(range_, unit_))};
     }

@@ -4,12 +4,14 @@
 
 #include <QClipboard>
 #include <QSignalSpy>
+#include <cstdlib>
 #include <numbers>
 #include <random>
 
 #include "error_of.h"
 #include "events.h"
 #include "processor_time.h"
+#include "text/language.h"
 #include "text/number_text.h"
 #include "text/typed_number.h"
 #include "widgets/value_slider.h"
@@ -153,14 +155,37 @@ TEST_F(NumberFieldTest, ACommaThatMayDivideThousandsIsAskedAbout) {
     test::typeOver(&field, QStringLiteral("3,600"));
     EXPECT_TRUE(field.trouble().contains(QStringLiteral("3600 or 3.6")))
         << qPrintable(field.trouble());
-    for (const char* plain : {"0,125", "-0,125", "1250", "1.250"}) {
-        EXPECT_FALSE(readWithThousands(QString::fromLatin1(plain), {})) << plain;
+    // And of a mass at a lever.
+    field.setRange(Range::between(0, 1e9), QStringLiteral("g·mm"));
+    field.setLever([] { return std::optional(0.1); });
+    test::typeOver(&field, QStringLiteral("1,450 g"));
+    EXPECT_TRUE(field.trouble().contains(QStringLiteral("1450 or 1.45")))
+        << qPrintable(field.trouble());
+    for (const char* plain : {"0,125", "-0,125", "1250", "1.250", "1,2500", "1234,567"}) {
+        EXPECT_TRUE(readTypedNumber(QString::fromLatin1(plain), {}).value) << plain;
     }
-    EXPECT_EQ(readWithThousands(QStringLiteral("−12,500 g"), QStringLiteral("kg")), -12.5);
-    const QLocale english;
-    QLocale::setDefault(QLocale(QLocale::Russian));
-    EXPECT_FALSE(readWithThousands(QStringLiteral("1,250"), {}));
-    QLocale::setDefault(english);
+    const TypedNumber mass = readTypedNumber(QStringLiteral("−12,500 g"), QStringLiteral("kg"));
+    EXPECT_FALSE(mass.value);
+    EXPECT_TRUE(mass.trouble.contains(QStringLiteral("−12500 or −12.5")))
+        << qPrintable(mass.trouble);
+    installLanguage(QStringLiteral("ru"));
+    EXPECT_EQ(readTypedNumber(QStringLiteral("1,250"), {}).value, 1.25);
+    installLanguage(QStringLiteral("en"));
+}
+
+TEST(NumberText, HasThePointOfItsLanguageOnEveryDesktop) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");  // the desktop's is read once for a program
+    qunsetenv("LC_ALL");
+    qputenv("LANG", "en_US.UTF-8");
+    qputenv("LC_NUMERIC", "de_DE.UTF-8");
+    EXPECT_EXIT(
+        {
+            installLanguage();
+            const bool isComma = QLocale::system().decimalPoint() == QStringLiteral(",");
+            const bool isRead = readTypedNumber(QStringLiteral("1,450"), {}).value.has_value();
+            std::exit(!isComma ? 1 : isRead ? 2 : 0);
+        },
+        testing::ExitedWithCode(0), "");
 }
 
 TEST_F(NumberFieldTest, EnterEndsAnEditing) {
@@ -361,6 +386,7 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
          {std::pair("8 wide",
                     "Drills: must be numbers with blanks or semicolons between them, got \"wide\""),
           std::pair("8 -3", "Drills: must be greater than 0 and at most 100 mm, got -3 mm"),
+          std::pair("8,125", "Drills: “8,125” may be 8125 or 8.125: enter one of them."),
           std::pair("8,10",
                     "Drills: must be two numbers or one: enter \"8; 10\" or \"8.1\", got \"8,10\""),
           std::pair(

@@ -1372,7 +1372,8 @@ TEST_F(CardJobTest, ColumnsArePasted) {
     };
     EXPECT_NEAR(mass(shop::Part::piston, 1), 592, 1e-9);
     EXPECT_NEAR(mass(shop::Part::pin, 1), 172, 1e-9);
-    for (const QString& bad : {u"1\n2\n3\n4\n5\n"_s, u"601\nheavy"_s, u"601\n-5"_s}) {
+    for (const QString& bad :
+         {u"1\n2\n3\n4\n5\n"_s, u"601\nheavy"_s, u"601\n-5"_s, u"601\n1,450"_s}) {
         paste(bad);
         EXPECT_TRUE(label("weigh_in_trouble").startsWith(u"Not pasted: "_s)) << qPrintable(bad);
         EXPECT_NEAR(mass(shop::Part::piston, 0), 590, 1e-9);

@@ -28,17 +28,6 @@ QString shortened(const QString& text) {
     return value ? formNumber(*value, QLocale(), digits) : text;
 }
 
-/// What the cell's text represents; nothing where it is no number, or may be two.
-std::optional<double> readCell(const QString& text) {
-    return readWithThousands(text, {}) ? std::nullopt : readFormNumber(text);
-}
-
-/// Why it represents nothing.
-QString cellTrouble(const QString& text) {
-    const QString thousands = thousandsTrouble(text, {});
-    return thousands.isEmpty() ? notANumberText(text) : thousands;
-}
-
 /// Why a table is no cycle; empty where it is one.
 QString cycleTrouble(const TorqueTable& table) {
     try {
@@ -143,11 +132,12 @@ void TorqueTableModel::put(Texts texts) {
         if (text == ownText(place)) {
             continue;  // all digits, however the text is read
         }
-        if (const auto number = readCell(text)) {
+        const ShownUnit unit = shownUnit(place.second == CrankAngle ? units::degree : units::N_m);
+        if (const auto [number, trouble] = readTypedNumber(text, unit.name); number) {
             numberAt(all, place) =
                 place.second == CrankAngle ? *number : *number * shownAs(units::N_m);
         } else {
-            rejected[place] = cellTrouble(text);
+            rejected[place] = trouble.isEmpty() ? notANumberText(text) : trouble;
         }
     }
     TorqueTable taken = all;

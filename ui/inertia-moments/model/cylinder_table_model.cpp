@@ -67,20 +67,19 @@ void setCell(Cylinder& cylinder, int row, int column, const QString& text) {
     };
     FieldValue value;
     if (!isOfRod(column) || !text.isEmpty()) {
-        const auto typed = readTypedNumber(text, unit.name).value;
+        const auto [typed, trouble] = readTypedNumber(text, unit.name);
+        if (!trouble.isEmpty()) {
+            reject(trouble.toStdString(), {});
+        }
         if (!typed) {
             reject(Text::tr("must be a number"), quoted_list({text.toStdString()}));
-        }
-        const auto thousands = readWithThousands(text, unit.name);
-        if (thousands && field.range.contains(*thousands / unit.factor)) {
-            reject(thousandsTrouble(text, unit.name).toStdString(), {});
         }
         constexpr int exact = 12;  // what is shown and read again is the same
         const double own =
             unit.factor == 1.0 ? *typed : rounded_to_digits(*typed / unit.factor, exact);
         const bool isWhole = column != Table::Master || own == std::round(own);
         if (!field.range.contains(own) || !isWhole) {
-            reject(column == Table::Master ? field.range.whole_number_message()
+            reject(column == Table::Master ? field.whole_number_rule()
                                            : field.range.message(field.unit),
                    Number{*typed});
         }

@@ -34,9 +34,6 @@ std::pair<std::optional<double>, QString> readShown(const QString& text, const S
     if (!number || !trouble.isEmpty()) {
         return {std::nullopt, trouble};
     }
-    if (QString either = thousandsTrouble(text, unit.name); !either.isEmpty()) {
-        return {std::nullopt, either};
-    }
     return {unit.factor == 1.0 ? *number : rounded_to_digits(*number / unit.factor, digits), {}};
 }
 

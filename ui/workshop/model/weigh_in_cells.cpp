@@ -62,7 +62,10 @@ QString WorkshopModel::pasteWeights(int row, int column, const std::vector<QStri
             // In the unit that the cells show.
             const Field& field = weightField(toRow);
             const ShownUnit unit = shownUnit(field.unit);
-            const auto value = readTypedNumber(typed, unit.name).value;
+            const auto [value, trouble] = readTypedNumber(typed, unit.name);
+            if (!trouble.isEmpty()) {
+                return tr("Not pasted: %1").arg(trouble);
+            }
             if (!value || field.left_by(*value / unit.factor) != nullptr) {
                 return tr("Not pasted: “%1” is not a mass in %2.").arg(typed, unit.name);
             }
