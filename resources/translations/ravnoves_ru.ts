@@ -17167,6 +17167,10 @@ but at this l no α is feasible</source>
         <translation>Не вставлено: %1</translation>
     </message>
     <message>
+        <source>Correct this first, or restore the value with Escape: %1</source>
+        <translation>Сначала исправьте или верните значение клавишей Escape: %1</translation>
+    </message>
+    <message>
         <source>Not pasted: “%1” is not a mass in %2.</source>
         <translation>Не вставлено: «%1» — не масса в %2.</translation>
     </message>

@@ -303,7 +303,9 @@ void CaseDocument::checkFiles() {
 }
 
 QString CaseDocument::saveTo(const QString& path) {
-    model_->keepForSaving();
+    if (QString why = model_->keepForSaving(); !why.isEmpty()) {
+        return why;
+    }
     std::string text;
     try {
         const QFileInfo there(path);

@@ -99,8 +99,10 @@ class SceneModel : public QObject {
     virtual std::optional<Verdict> verdictShown() const { return std::nullopt; }
     /// Results are of the values before rejected entries.
     virtual bool isOutdated() const { return hasRejected(); }
-    /// Where nothing may be done by the values before them they go, too, as a step of the history.
-    virtual void leaveOutRejected() {}
+    /// Whether nothing may be done by the values before them: what is saved does not have them.
+    virtual bool leavesOutRejected() const { return false; }
+    /// They go then, as a step of the history. @return why they cannot; else empty
+    virtual QString leaveOutRejected() { return {}; }
     /// Why nothing may be done by the answer, as the first line of a copy; empty where it may.
     virtual QString stopText() const { return {}; }
     /// The variant that the case is seen against.
@@ -229,10 +231,12 @@ class SceneModel : public QObject {
     virtual bool takeBack();
     virtual void editingEnds() {}
     /// The text typed until now is saved: Escape returns to it, though the editing continues.
-    void keepForSaving() {
+    /// @return why it cannot be saved; else empty
+    QString keepForSaving() {
         finishDrag();
-        leaveOutRejected();
+        QString why = leaveOutRejected();
         Q_EMIT typedKept();
+        return why;
     }
     bool hasChanges() const { return !history_.isClean(); }
     void undo();

@@ -103,7 +103,7 @@ QString rejectedWords(const QWidget* part) {
         return {};
     }
     const SceneModel* model = modelOf(pageOf(part));
-    return (model != nullptr && !model->stopText().isEmpty()
+    return (model != nullptr && model->leavesOutRejected()
                 ? RejectedEntries::tr("These entries were not accepted and are left out:")
                 : RejectedEntries::tr(
                       "These entries were not accepted; the previous values are used:")) +

@@ -115,7 +115,11 @@ bool MainWindow::mayRenew(const QString& title) {
         return false;
     }
     for (const auto& each : documents) {
-        each->page->model()->leaveOutRejected();  // a page that is made again does not know them
+        // A page that is made again does not know them.
+        if (const QString why = each->page->model()->leaveOutRejected(); !why.isEmpty()) {
+            QMessageBox::warning(this, title, why);
+            return false;
+        }
     }
     return true;
 }

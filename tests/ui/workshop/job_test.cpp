@@ -1093,6 +1093,35 @@ TEST_F(ReadJobTest, AFileHasNoValueFromBeforeARejectedEntry) {
     EXPECT_EQ(readings[1].at("unbalance_g_mm"), 1450);
 }
 
+TEST_F(ReadJobTest, NothingIsSavedBesideARejectedEntryWhoseValueCannotBeBlank) {
+    type("engine_number", u"54"_s);
+    CaseDocument document(model);
+    const QString path = QDir(folder.path()).filePath(u"a.case.json"_s);
+    for (const auto& [entry, bad, good] : {std::tuple("cylinders", u"8x"_s, u"8"_s),
+                                           {"diameters_mm", u"8,10"_s, u"8; 10"_s},
+                                           {"planes", u"rear"_s, u"left / right"_s}}) {
+        type(entry, bad);
+        const QString name = find<EntryField>(entry)->accessibleName();
+        EXPECT_TRUE(has(document.saveTo(path), name));
+        EXPECT_FALSE(QFile::exists(path));
+        const auto said = std::make_shared<QString>();
+        whenModal<QMessageBox>([said](QMessageBox* box) {
+            box->button(QMessageBox::Ignore)->click();
+            whenModal<QMessageBox>([said](QMessageBox* why) {
+                *said = why->text();
+                why->accept();
+            });
+        });
+        save();
+        EXPECT_TRUE(has(*said, name));
+        EXPECT_EQ(jobs().size(), 0);
+        type(entry, good);
+    }
+    EXPECT_EQ(document.saveTo(path), QString());
+    save();
+    EXPECT_EQ(jobs().size(), 1);
+}
+
 TEST_F(ReadJobTest, AJobIsSavedWithoutTheValueBeforeARejectedEntry) {
     typeLimit(u"300"_s);
     type("engine_number", u"54"_s);
@@ -1102,6 +1131,9 @@ TEST_F(ReadJobTest, AJobIsSavedWithoutTheValueBeforeARejectedEntry) {
     EXPECT_FALSE(jobs().at(0).isFinished);
     EXPECT_FALSE(has(jobs().at(0).verdict, u"passes"_s));
     EXPECT_FALSE(field("unbalance_1")->value()) << "what was typed waits";
+    const auto asked = answer(u"Stay"_s);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(has(*asked, u"are left out"_s)) << "also once it is saved";
     EXPECT_EQ(field("unbalance_2")->text(), u"1450"_s) << "the other reading";
     EXPECT_EQ(rowsOf("Holes and slugs"), 0);
 }
@@ -1111,6 +1143,9 @@ TEST_F(JobPageTest, NoResultIsOutdatedWhereThereIsNone) {
     EXPECT_TRUE(begins(label("rejected"), u"Entries not accepted: One piston"_s));
     EXPECT_FALSE(has(label("verdict"), u"previous value"_s));
     type("piston", u"583.9"_s);
+    type("piston", u"58x"_s);
+    model->keepForSaving();
+    EXPECT_FALSE(model->input().parts.piston) << "nor is the value before it saved";
     typeShopCard();
     type("pin", u"17x"_s);
     EXPECT_TRUE(begins(label("rejected"), u"Result outdated: "_s));

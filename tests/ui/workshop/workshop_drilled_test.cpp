@@ -89,6 +89,7 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
     type("drilled_depth_1", u"5x"_s);
     EXPECT_TRUE(has(label("rejected"), model->planeName(static_cast<std::size_t>(hole(0).plane))));
     EXPECT_EQ(hole(0).depth, planned);
+    EXPECT_TRUE(has(model->keepForSaving(), u"Depth"_s)) << "it is not saved with that";
     type("drilled_depth_1", {});
     EXPECT_FALSE(label("rejected").isEmpty()) << "none is not that before";
     type("drilled_depth_1", u"4.5"_s);

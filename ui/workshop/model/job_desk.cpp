@@ -280,7 +280,9 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     if (!openJournal()) {
         return journalTrouble_.isEmpty() ? tr("The journal is not available.") : journalTrouble_;
     }
-    model_->keepForSaving();
+    if (QString why = model_->keepForSaving(); !why.isEmpty()) {
+        return why;
+    }
     JournalJob job = model_->journalEntry();
     job.id = jobId_;
     job.revision = jobRevision_;

@@ -298,11 +298,14 @@ Job WorkshopModel::withoutRejected() const {
     }
 }
 
-void WorkshopModel::leaveOutRejected() {
-    if (isOutdated()) {
-        edit(tr("Entries not accepted"),
-             [without = withoutRejected()](Job& job) { job = without; });
+QString WorkshopModel::leaveOutRejected() {
+    if (std::ssize(rejectedAt_) < rejected_.size()) {
+        return tr("Correct this first, or restore the value with Escape: %1")
+            .arg(rejected_.join(QLatin1Char(' ')));
     }
+    return rejectedAt_.empty() ? QString()
+                               : edit(tr("Entries not accepted"),
+                                      [without = withoutRejected()](Job& job) { job = without; });
 }
 
 const WorkshopModel& WorkshopModel::shown() const {

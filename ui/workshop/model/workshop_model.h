@@ -99,11 +99,13 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool isProvisional() const { return solved().found.is_provisional(); }
     JobDesk* desk() { return &desk_; }
     /// Entries that the form rejects now and that results depend on.
-    /// @param places  pointers of the values before them that may be left out
+    /// @param places  pointers of the values before them that may be left out; nothing is saved
+    ///                beside others
     void setRejected(const QStringList& rejected, const std::vector<std::string>& places = {});
     /// The answer is of the values before them.
     bool isOutdated() const override { return !rejected_.isEmpty() && hasAnswer(); }
-    void leaveOutRejected() override;
+    bool leavesOutRejected() const override { return true; }
+    QString leaveOutRejected() override;
     QString stopText() const override;
     /// The job without an answer, as a doubt would stop it: nothing can be set or drilled by the
     /// values before rejected entries. These values are left out.
