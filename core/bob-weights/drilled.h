@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bob-weights/input.h"
@@ -15,6 +16,19 @@ namespace ravnoves::bob_weights {
 /// @param before  metal drilled there and pressed in after the runs before it
 std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction,
                               std::size_t run, const std::array<Metal, 2>& before);
+
+/// The holes of the record, each with its place.
+auto recorded_holes(auto& correction) {
+    std::vector<std::pair<Hole::Place, decltype(&correction->earlier_runs[0].drilled->front())>>
+        holes;
+    for (std::size_t run = 0; correction && run < correction->earlier_runs.size(); ++run) {
+        auto& drilled = correction->earlier_runs[run].drilled;
+        for (std::size_t hole = 0; drilled && hole < drilled->size(); ++hole) {
+            holes.emplace_back(Hole::Place{run, hole}, &(*drilled)[hole]);
+        }
+    }
+    return holes;
+}
 
 /// The holes planned by the present run, for its record: none where its readings are no longer
 /// valid.

@@ -151,8 +151,6 @@ struct DrilledHole {
     HoleState state = HoleState::as_planned;
 
     bool is_slug() const { return slug || mass.value_or(0.0) < 0.0; }
-    /// False where a hole would be deepened to no more than its depth before.
-    bool depths_agree() const { return from_depth == 0.0 || depth > from_depth; }
     /// From `angle` to where the metal is missing, and back: half a turn on the wrong side.
     double turned(double value) const;
 
@@ -222,13 +220,12 @@ struct Correction {
     friend bool operator==(const Correction&, const Correction&) = default;
 };
 
-/// Place of the first run of the machine: one without readings before it represents the holes that
-/// were there.
+/// Place of the first run of the machine: what has no readings, not even blank ones, before it
+/// represents the holes that were there.
 inline std::size_t first_run(const std::optional<Correction>& correction) {
     return correction && !correction->earlier_runs.empty() &&
                    correction->earlier_runs.front().drilled &&
-                   std::none_of(correction->earlier_runs.front().readings.begin(),
-                                correction->earlier_runs.front().readings.end(), has_number)
+                   correction->earlier_runs.front().readings.empty()
                ? 1
                : 0;
 }

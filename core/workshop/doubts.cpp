@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "bob-weights/drilled.h"
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
@@ -59,10 +60,6 @@ Message cylinders(const std::vector<std::size_t>& list) {
     return text;
 }
 
-bool is_in_kilograms(Part part, const shop::PartColumn& column) {
-    return shop::mass_in_kilograms(part, column).has_value();
-}
-
 }  // namespace
 
 /// The job that the rules look at, and what they have found.
@@ -75,8 +72,8 @@ struct DoubtSearch {
     std::vector<Doubt> found{};
 
     /// A doubt of the rule, with what to do.
-    void say(auto&&... text) {
-        found.push_back({rule, Message(std::forward<decltype(text)>(text)...)});
+    Doubt& say(auto&&... text) {
+        return found.emplace_back(Doubt{rule, Message(std::forward<decltype(text)>(text)...), {}});
     }
     bool has_said(std::string_view word) const {
         return std::ranges::any_of(found,
@@ -159,7 +156,7 @@ void kilograms(DoubtSearch& job) {
 void odd_mass(DoubtSearch& job) {
     job.for_columns([&](Part part, const shop::PartColumn& column) {
         const auto odd = shop::odd_mass(column);
-        if (!odd || is_in_kilograms(part, column)) {
+        if (!odd || shop::mass_in_kilograms(part, column)) {
             return;
         }
         const Text text =
@@ -224,7 +221,7 @@ void typed_against_weighed(DoubtSearch& job) {
 void nominal_against_weighed(DoubtSearch& job) {
     job.for_columns([&](Part part, const shop::PartColumn& column) {
         const double mean = shop::statistics(column)->mean;
-        if (column.nominal && !is_in_kilograms(part, column) &&
+        if (column.nominal && !shop::mass_in_kilograms(part, column) &&
             differ(*column.nominal, mean, same_part)) {
             job.say(Text::tr("%1: nominal %2, but %3 weighed. Correct the wrong value."),
                     shop::part_word(part).label, in_grams(*column.nominal), in_grams(mean));
@@ -471,12 +468,9 @@ void incomplete_run(DoubtSearch& job) {
     if (newest == nullptr || !newest->has_vectors()) {
         return;
     }
-    bool is_begun = false;  // holes that were there before have no readings
     for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
         const auto& readings = job.input.correction->earlier_runs[at].readings;
-        is_begun = is_begun || std::ranges::any_of(readings, bob_weights::has_number);
-        for (std::size_t i = 0; is_begun && job.shaft.runs[at].holds() && i < readings.size();
-             ++i) {
+        for (std::size_t i = 0; job.shaft.runs[at].holds() && i < readings.size(); ++i) {
             if (!is_read(readings[i])) {
                 job.say(readings[i].unbalance ? Text::tr("%1: enter the angle.")
                                               : Text::tr("%1: enter the unbalance."),
@@ -488,24 +482,20 @@ void incomplete_run(DoubtSearch& job) {
 
 /// A hole that was deepened to less than its depth before took off nothing that is known.
 void shallower_hole(DoubtSearch& job) {
-    for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
-        const auto& record = job.input.correction->earlier_runs[at].drilled;
-        for (std::size_t k = 0; record && job.shaft.runs[at].is_recorded && k < record->size();
-             ++k) {
-            const bob_weights::DrilledHole& hole = (*record)[k];
-            const auto plane = static_cast<std::size_t>(hole.plane);
-            const auto& counted = job.shaft.runs[at].drilled[plane];
-            const auto is_it = [&](const bob_weights::Hole& each) {
-                return each.deepens == bob_weights::Hole::Place{at, k};
-            };
-            if (hole.state != bob_weights::HoleState::not_drilled &&
-                std::ranges::none_of(counted.holes, is_it) &&
-                std::ranges::none_of(counted.slugs, is_it)) {
-                job.say(Text::tr("%1: the hole of ⌀ %2 at %3 is %4 deep after deepening, which is "
-                                 "not deeper than before. Correct its depth."),
-                        job.at_run(at, plane), millimetres(hole.diameter),
-                        in_degrees(hole.turned(hole.angle)), millimetres(hole.depth));
-            }
+    for (const auto& recorded : recorded_holes(job.input.correction)) {
+        const bob_weights::Hole::Place& place = recorded.first;
+        const bob_weights::DrilledHole& hole = *recorded.second;
+        const bob_weights::RunResult& run = job.shaft.runs[place.run];
+        const auto plane = static_cast<std::size_t>(hole.plane);
+        const auto is_it = [&](const bob_weights::Hole& each) { return each.deepens == place; };
+        if (run.is_recorded && hole.state != bob_weights::HoleState::not_drilled &&
+            std::ranges::none_of(run.drilled[plane].holes, is_it) &&
+            std::ranges::none_of(run.drilled[plane].slugs, is_it)) {
+            job.say(Text::tr("%1: the hole of ⌀ %2 at %3 is %4 deep after deepening, which is not "
+                             "deeper than before. Correct its depth."),
+                    job.at_run(place.run, plane), millimetres(hole.diameter),
+                    in_degrees(hole.turned(hole.angle)), millimetres(hole.depth))
+                .hole = place;
         }
     }
 }
@@ -545,8 +535,9 @@ void drilled_counting_otherwise(DoubtSearch& job) {
         if (earlier.counted_otherwise && job.shaft.runs[at].is_drilled() &&
             std::ranges::any_of(*earlier.drilled, is_as_counted)) {
             job.say(
-                Text::tr("The holes were drilled while the machine counted degrees in the other "
-                         "direction. Check the direction, or enter the angles as measured."));
+                   Text::tr("The holes were drilled while the machine counted degrees in the other "
+                            "direction. Check the direction, or enter the angles as measured."))
+                .hole = bob_weights::Hole::Place{at, 0};
             return;
         }
     }
@@ -584,8 +575,15 @@ void drilled_otherwise(DoubtSearch& job) {
                           "%1: residual %2 after drilling instead of %3. Check the actual "
                           "holes: angle, depth, zero mark and direction of degrees.");
             const auto& read = *job.shaft.runs[run].planes[i];
-            job.say(text, job.at_run(run, i), job.reading(read.unbalance, *read.angle),
-                    job.reading(other.expected, other.expected_angle));
+            Doubt& doubt =
+                job.say(text, job.at_run(run, i), job.reading(read.unbalance, *read.angle),
+                        job.reading(other.expected, other.expected_angle));
+            for (const auto& [place, hole] : recorded_holes(job.input.correction)) {
+                if (!doubt.hole && place.run == other.since &&
+                    static_cast<std::size_t>(hole->plane) == i) {
+                    doubt.hole = place;
+                }
+            }
         });
     }
 }
@@ -613,7 +611,8 @@ void deepens_unmeasured(DoubtSearch& job) {
                                  "of the hole at %4 before deepening it, and record it as "
                                  "measured."),
                         job.at_run(*unexplained, i), job.reading(read.unbalance, *read.angle),
-                        job.reading(other.expected, other.expected_angle), in_degrees(hole.angle));
+                        job.reading(other.expected, other.expected_angle), in_degrees(hole.angle))
+                    .hole = hole.deepens;
             }
         }
     }
@@ -629,20 +628,20 @@ void drilled_too_deep(DoubtSearch& job) {
         return;
     }
     const double maximum = *correction->drill.maximum_depth;
-    std::array<double, 2> deepest{};
-    for (const bob_weights::EarlierRun& run : correction->earlier_runs) {
-        for (std::size_t at = 0; run.drilled && at < run.drilled->size(); ++at) {
-            const bob_weights::DrilledHole& hole = (*run.drilled)[at];
-            double& plane = deepest[static_cast<std::size_t>(hole.plane)];
-            plane = hole.state == bob_weights::HoleState::not_drilled ? plane
-                                                                      : std::max(plane, hole.depth);
+    std::array<std::pair<double, bob_weights::Hole::Place>, 2> deepest{};
+    for (const auto& [place, hole] : recorded_holes(correction)) {
+        auto& plane = deepest[static_cast<std::size_t>(hole->plane)];
+        if (hole->state != bob_weights::HoleState::not_drilled && hole->depth > plane.first) {
+            plane = {hole->depth, place};
         }
     }
     for (const std::size_t i : planes) {
-        if (deepest[i] > maximum + rounding && (deepest[i] > slip * maximum) == implausible) {
+        const double depth = deepest[i].first;
+        if (depth > maximum + rounding && (depth > slip * maximum) == implausible) {
             job.say(Text::tr("%1: a recorded hole is %2 deep, the maximum depth is %3. Correct the "
                              "wrong value."),
-                    job.plane_name(i), millimetres(deepest[i]), millimetres(maximum));
+                    job.plane_name(i), millimetres(depth), millimetres(maximum))
+                .hole = deepest[i].second;
         }
     }
 }
@@ -1064,7 +1063,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"swapped-planes", error, judged, "", swapped_planes<true>},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise<true>},
         {"deepens-unmeasured", error, judged, drilled_act, deepens_unmeasured},
-        {"drilled-beside-plan", warning, nothing, drilled_act, drilled_otherwise<false>},
+        {"drilled-beside-plan", warning, nothing, "", drilled_otherwise<false>},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"paper-limit", warning, nothing, "", paper_limits},
@@ -1080,7 +1079,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-deep", warning, nothing, "", drilled_too_deep<false>},
         {"left-and-right", warning, nothing, "", swapped_planes<false>},
         {"beyond-sector", warning, nothing, "", beyond_sector},
-        {"outside-sector", warning, nothing, drilled_act, outside_sector},
+        {"outside-sector", warning, nothing, "", outside_sector},
         {"short-slug", warning, nothing, "", short_slugs},
         {"all-round", warning, nothing, "", all_round<false>},
     };

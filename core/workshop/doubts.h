@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "bob-weights/drilling.h"
 #include "case-file/verdict.h"
 #include "workshop/input.h"
 
@@ -37,6 +39,7 @@ std::span<const DoubtRule> doubt_rules();
 struct Doubt {
     const DoubtRule* rule;
     Message text;
+    std::optional<bob_weights::Hole::Place> hole{};  ///< of the record, that it begins with
 };
 struct Result;
 std::vector<Doubt> find_doubts(const Input& input, const Result& result);

@@ -54,10 +54,9 @@ bool is_known(const Input& input, const Result& result) {
 }
 
 Verdict unwarned(const Input& input, const Result& result) {
-    const auto blocking = std::find_if(result.doubts.begin(), result.doubts.end(),
-                                       [](const Doubt& each) { return each.rule->blocks.any(); });
-    if (blocking != result.doubts.end()) {
-        return {Severity::error, {Text::tr("STOP. %1"), blocking->text}, blocking->rule->act};
+    if (result.withheld().any()) {
+        const Doubt& first = result.doubts.front();  // what blocks comes before warnings
+        return {Severity::error, {Text::tr("STOP. %1"), first.text}, first.rule->act};
     }
     if (!is_known(input, result)) {
         return {Severity::note, Text::tr("Enter the missing values of engine and parts.")};

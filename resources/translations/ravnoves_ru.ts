@@ -10717,6 +10717,10 @@ but at this l no α is feasible</source>
         <translation>Пока нет. План появится здесь после следующего пуска.</translation>
     </message>
     <message>
+        <source>Enter both ends of the drilling sector.</source>
+        <translation>Введите обе границы сектора сверления.</translation>
+    </message>
+    <message>
         <source>Only for a hole that the first readings contain. New holes keep clear of this hole; it may be deepened.</source>
         <translation>Только для отверстия, которое уже вошло в первые показания. Новые отверстия обходят его; его можно углубить.</translation>
     </message>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "bob-weights/drilled.h"
 #include "bob-weights/drilling.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
@@ -20,24 +21,6 @@
 namespace ravnoves {
 
 using namespace bob_weights;
-
-namespace {
-
-/// The holes of the record, each with its run.
-auto drilledHoles(auto& correction) {
-    std::vector<std::pair<std::size_t, decltype(&correction->earlier_runs[0].drilled->front())>>
-        holes;
-    for (std::size_t run = 0; correction && run < correction->earlier_runs.size(); ++run) {
-        if (auto& drilled = correction->earlier_runs[run].drilled) {
-            for (auto& hole : *drilled) {
-                holes.emplace_back(run, &hole);
-            }
-        }
-    }
-    return holes;
-}
-
-}  // namespace
 
 CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
     : WorkshopSheet(model, parent) {
@@ -160,6 +143,10 @@ void CorrectionSheet::showWhatIf() {
     }
     const Words words;
     const auto hindrance = [&] {
+        const Plane& plane = correction->planes[static_cast<std::size_t>(whatIf_.plane)];
+        if (plane.from_angle.has_value() != plane.to_angle.has_value()) {
+            return tr("Enter both ends of the drilling sector.");
+        }
         switch (left->room.missing) {
             case NoRoom::beside_hole:
                 return tr("Another hole is too near. Choose another angle.");
@@ -198,7 +185,7 @@ void CorrectionSheet::buildDrilled() {
     holes_ = made.first;
     trouble_ = made.second;
     line(Theme::smallSize, [this] {
-        return drilledHoles(model_->input().correction).empty()
+        return recorded_holes(model_->input().correction).empty()
                    ? tr("None yet. The plan appears here after the next run.")
                    : QString();
     });
@@ -207,7 +194,7 @@ void CorrectionSheet::buildDrilled() {
 }
 
 void CorrectionSheet::growRows() {
-    while (rows_.size() < std::ssize(drilledHoles(model_->input().correction))) {
+    while (rows_.size() < std::ssize(recorded_holes(model_->input().correction))) {
         addHoleRow();
     }
 }
@@ -219,16 +206,17 @@ void CorrectionSheet::addHoleRow() {
     name->setFont(Theme::font(Theme::smallSize));
     name->setWordWrap(true);
     name->setMaximumWidth(Theme::withText(90));
-    const auto present = [this, row]() -> const DrilledHole* {
-        const auto holes = drilledHoles(model_->input().correction);
-        return row < holes.size() ? holes[row].second : nullptr;
+    const auto place = [this, row] {
+        const auto holes = recorded_holes(model_->input().correction);
+        return row < holes.size() ? holes[row] : decltype(holes)::value_type{};
     };
+    const auto present = [place] { return place().second; };
     const auto change = [this, row, present](const QString& step,
                                              const std::function<void(DrilledHole&)>& mutate) {
         if (present() != nullptr) {
             model_->editCorrection(step, [&](Correction& correction) {
                 auto* of = &correction;
-                mutate(*drilledHoles(of)[row].second);
+                mutate(*recorded_holes(of)[row].second);
             });
         }
     };
@@ -270,12 +258,11 @@ void CorrectionSheet::addHoleRow() {
     const auto numberOf = [&](const Field& field, double DrilledHole::*member, const char* key) {
         NumberField* made = cell(
             field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1),
-            [this, row, &field](const Words& words) {
-                const auto holes = drilledHoles(model_->input().correction);
-                return (row < holes.size()
-                            ? model_->drilledName(words, holes[row].first) + QStringLiteral(", ") +
-                                  model_->planeName(
-                                      static_cast<std::size_t>(holes[row].second->plane), words) +
+            [this, place, &field](const Words& words) {
+                const auto [at, hole] = place();
+                return (hole != nullptr
+                            ? model_->drilledName(words, at.run) + QStringLiteral(", ") +
+                                  model_->planeName(static_cast<std::size_t>(hole->plane), words) +
                                   QStringLiteral(": ")
                             : QString()) +
                        words.name(field);
@@ -306,9 +293,10 @@ void CorrectionSheet::addHoleRow() {
     QComboBox* plane = choiceOf(field::drilled_plane, &DrilledHole::plane, "drilled_plane",
                                 {QString(), QString()}, 64, measure);
     NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
-    doubt(depth, [present] {
-        const DrilledHole* hole = present();
-        return hole != nullptr && !hole->depths_agree();
+    doubt(depth, [this, place] {
+        return std::ranges::any_of(model_->doubts(), [&](const workshop::Doubt& each) {
+            return each.rule->word == "shallower-hole" && each.hole == place().first;
+        });
     });
     NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
     QStringList states;
@@ -324,8 +312,8 @@ void CorrectionSheet::addHoleRow() {
         holes_->addWidget(widgets[column], at, column);
     }
     followPlanes(plane);
-    follow([this, row, present, name, state, widgets, hint = state->toolTip()] {
-        const DrilledHole* hole = present();
+    follow([this, place, name, state, widgets, hint = state->toolTip()] {
+        const auto [at, hole] = place();
         for (QWidget* each : widgets) {
             each->setVisible(hole != nullptr);
         }
@@ -342,18 +330,17 @@ void CorrectionSheet::addHoleRow() {
                 isPlanned ? QString()
                           : tr("The planned values were replaced; Undo restores them."));
             state->setToolTip(isPlanned ? hint : hint + QLatin1Char('\n') + asPlanned->toolTip());
-            name->setText(
-                model_->drilledName(drilledHoles(model_->input().correction)[row].first, *hole));
+            name->setText(model_->drilledName(at.run, *hole));
         }
     });
     rows_ << widgets;
 }
 
-QWidget* CorrectionSheet::lastDrilled() const {
-    const auto holes = drilledHoles(model_->input().correction);
-    const auto first = std::ranges::find_if(
-        holes, [&](const auto& each) { return each.first == holes.back().first; });
-    return first == holes.end() ? nullptr : rows_.at(first - holes.begin()).last();
+QWidget* CorrectionSheet::drilled(const std::optional<Hole::Place>& hole) const {
+    const auto holes = recorded_holes(model_->input().correction);
+    const auto found =
+        std::ranges::find_if(holes, [&](const auto& each) { return each.first == hole; });
+    return found == holes.end() ? nullptr : rows_.at(found - holes.begin()).last();
 }
 
 void CorrectionSheet::addHole(bool isBefore) {

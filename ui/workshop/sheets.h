@@ -98,8 +98,8 @@ class CorrectionSheet : public WorkshopSheet {
   public:
     explicit CorrectionSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// The first hole drilled last; null without one.
-    QWidget* lastDrilled() const;
+    /// What became of a hole of the record; null where it is none.
+    QWidget* drilled(const std::optional<bob_weights::Hole::Place>& hole) const;
 
   private:
     void buildWhatIf();

@@ -191,7 +191,7 @@ void WorkshopPage::doVerdictAct() {
         return;
     }
     sheets_->setCurrentIndex(static_cast<int>(forms_.indexOf(correction_)));
-    if (QWidget* hole = correction_->lastDrilled()) {
+    if (QWidget* hole = correction_->drilled(model_->doubts().front().hole)) {
         hole->setFocus(Qt::TabFocusReason);
     }
 }

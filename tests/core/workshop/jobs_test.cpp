@@ -155,19 +155,28 @@ TEST(Job, OfASheetHalfFilledHasAsManyRowsAsThePlugsNeed) {
     }
 }
 
-TEST(Job, OfASheetHalfFilledSkipsADeepeningToLess) {
+TEST(Job, SkipsADeepeningToLessAndStops) {
     Json input = card();
     input["correction"]["earlier_runs"] = parse_json(R"([{
         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 10, "from_depth_mm": 12,
                      "angle_deg": 40}]}])");
-    EXPECT_EQ(error_of(input),
-              "/input/correction/earlier_runs/0/drilled/0/from_depth_mm: must be less than the "
-              "depth, 10, got 12");
-    const Input half = read_input(input, Completeness::as_is);
-    EXPECT_FALSE(solve(half).shaft.runs[0].is_drilled());
+    const Json result = solved(input);
+    EXPECT_EQ(at(result, "/doubts/0/kind"), "shallower-hole");
+    EXPECT_TRUE(at(result, "/verdict/text").get<std::string>().starts_with("STOP. "));
+    EXPECT_FALSE(solve(read_input(input)).shaft.runs[0].is_drilled());
+    // By the record, which was corrected: deepened from 9, whatever was planned.
+    auto& runs = input["correction"]["earlier_runs"];
+    runs.insert(runs.begin(), runs[0]);
+    runs[0]["drilled"][0].update({{"depth_mm", 9}, {"from_depth_mm", 0}});
+    EXPECT_TRUE(solve(read_input(input)).shaft.runs[1].is_drilled());
     Json newest = card();
-    newest["correction"]["drilled"] = input["correction"]["earlier_runs"][0]["drilled"];
-    EXPECT_TRUE(error_of(newest).starts_with("/input/correction/drilled/0/from_depth_mm: must"));
+    newest["correction"]["drilled"] = runs[1]["drilled"];
+    EXPECT_EQ(error_of(newest), "no error");
+    // The older format has no doubts.
+    input["tolerance"] = {{"g_mm", 300}};
+    EXPECT_EQ(error_of(input, test::solved_bob_weights_case),
+              "/input/correction/earlier_runs/1/drilled/0/from_depth_mm: must be less than the "
+              "depth, 10, got 12");
 }
 
 TEST(Job, OfASheetHalfFilledSaysWhatIsMissing) {

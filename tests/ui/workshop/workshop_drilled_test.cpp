@@ -212,6 +212,28 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     model->loadInput(kept, {});
     EXPECT_EQ(model->inputJson(), kept);
     EXPECT_EQ(model->newestRun(), 0U);
+    // Readings that are valid again leave them as they are.
+    type("oil", u"40"_s);
+    ASSERT_FALSE(model->otherRunText().isEmpty());
+    model->confirmReadings();
+    EXPECT_TRUE(model->otherRunText().isEmpty());
+    EXPECT_TRUE(model->input().correction->earlier_runs.front().readings.empty());
+}
+
+TEST_F(DrilledTest, HolesAreOfTheirRunAlsoWhereItsReadingsAreErased) {
+    const auto holes = [&] { return model->drilledResults().rows.at(0).at(0).text; };
+    ASSERT_EQ(holes(), u"Before"_s);
+    for (const char* reading : {"unbalance_1", "angle_1", "unbalance_2", "angle_2"}) {
+        type(reading, {});
+    }
+    for (int time = 0; time < 2; ++time) {
+        EXPECT_EQ(holes(), u"Before"_s);
+        EXPECT_EQ(model->newestRun(), 1U);
+        EXPECT_TRUE(begins(label("verdict"), u"STOP. Before, Front plane: enter the unbalance."_s));
+        model->loadInput(model->inputJson(), {});
+    }
+    model->editReading({}, 0, 0, false, 2500 * units::gram_mm);
+    EXPECT_EQ(holes(), u"Before"_s);
 }
 
 TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
@@ -234,6 +256,10 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     EXPECT_EQ(label("what_if"), u"The hole is outside the drilling sector."_s);
     type("what_if_angle", u"60"_s);
     EXPECT_FALSE(has(label("what_if"), u"sector"_s));
+    // Of a plane that needs no hole half a sector is no doubt, nor is it the whole rim.
+    type("run_1_unbalance_1", u"1"_s);
+    type("to_1", {});
+    EXPECT_EQ(label("what_if"), u"Enter both ends of the drilling sector."_s);
     // By a job that is stopped nothing is thought of either.
     type("run_1_unbalance_1", u"4900"_s);
     EXPECT_EQ(label("what_if"), QString());
@@ -260,6 +286,28 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfMayDeepenOne) {
     const DrilledHole& added = model->input().correction->earlier_runs.at(0).drilled->back();
     EXPECT_NEAR(added.depth, depth + 1 * units::mm, 1e-9);
     EXPECT_EQ(added.from_depth, depth);
+}
+
+TEST_F(DrilledTest, TheVerdictLeadsToTheHolesOfTheRunThatItNames) {
+    Json input = workshop::test::card();
+    input["tolerance"] = {{"g_mm", 300}};
+    input["correction"]["earlier_runs"] = parse_json(R"([
+        {"readings": [{"unbalance_g_mm": 2600, "angle_deg": 75},
+                      {"unbalance_g_mm": 1450, "angle_deg": 210}],
+         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 15, "angle_deg": 75,
+                      "state": "measured"},
+                     {"plane": "rear", "diameter_mm": 16, "depth_mm": 0, "angle_deg": 210,
+                      "state": "measured"}]},
+        {"readings": [{"unbalance_g_mm": 610, "angle_deg": 75},
+                      {"unbalance_g_mm": 95, "angle_deg": 70}],
+         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 16, "from_depth_mm": 15,
+                      "angle_deg": 75, "state": "measured"}]}])");
+    input["correction"]["readings"] = parse_json(R"([{"unbalance_g_mm": 480, "angle_deg": 80},
+                                                    {"unbalance_g_mm": 90, "angle_deg": 72}])");
+    model->loadInput(input, {});
+    ASSERT_TRUE(begins(label("verdict"), u"STOP. Run 1, Rear plane"_s));
+    click("verdict_act");
+    EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("drilled_state_2"));
 }
 
 TEST_F(DrilledTest, TheVerdictLeadsToWhatWasDrilledOtherwise) {

@@ -274,7 +274,7 @@ std::unique_ptr<WorkshopModel> WorkshopModel::stoppedBy(const QString& why) cons
     auto stopped = std::make_unique<WorkshopModel>(QString());
     stopped->restart(withoutRejected());
     WorkshopScene::Solved& solved = stopped->solvedInPlace();
-    solved.found.doubts.insert(solved.found.doubts.begin(), {&rule, why.toStdString()});
+    solved.found.doubts.insert(solved.found.doubts.begin(), {&rule, why.toStdString(), {}});
     solved.allowed = workshop::allowed(solved.found);
     solved.verdict = workshop::short_verdict(stopped->input(), solved.found);
     solved.allowed.shaft.placing.reset();
@@ -655,8 +655,8 @@ void WorkshopModel::confirmReadings() {
             bobWeight = correction.earlier_runs[newest - 1].readings.front().bob_weight;
         }
         for (EarlierRun& run : correction.earlier_runs) {
-            const Reading& first = run.readings.front();
-            if (first.shaft == shaft && !shop::is_other_bob_weight(first.bob_weight, bobWeight)) {
+            if (!run.readings.empty() && run.readings[0].shaft == shaft &&
+                !shop::is_other_bob_weight(run.readings[0].bob_weight, bobWeight)) {
                 hold(run.readings);
             }
         }
