@@ -99,9 +99,9 @@ class SceneModel : public QObject {
     virtual std::optional<Verdict> verdictShown() const { return std::nullopt; }
     /// Results are of the values before rejected entries.
     virtual bool isOutdated() const { return hasRejected(); }
-    /// Whether nothing may be done by the values before them: what is saved does not have them.
+    /// Whether nothing may be done by the values before them: a saved case does not have them.
     virtual bool leavesOutRejected() const { return false; }
-    /// They go then, as a step of the history. @return why they cannot; else empty
+    /// Removes them then, as a step of the history. @return why they cannot go; else empty
     virtual QString leaveOutRejected() { return {}; }
     /// Why nothing may be done by the answer, as the first line of a copy; empty where it may.
     virtual QString stopText() const { return {}; }

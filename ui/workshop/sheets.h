@@ -98,7 +98,7 @@ class CorrectionSheet : public WorkshopSheet {
   public:
     explicit CorrectionSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// What became of a hole of the record; null where it is none.
+    /// What became of a hole of the record; null without one.
     QWidget* drilled(const std::optional<bob_weights::Hole::Place>& hole) const;
 
   private:
