@@ -7,11 +7,10 @@
 Frames are timed three times; the run of the middle share counts.
 
 Absolute times move by a factor of two on a shared machine; the shares, each of two times of one
-run, do not. Every program of PROGRAMS prints lines `name | value | rival | share`; PAIRS are two
-benchmarks of one program; start and the window's memory are measured here, on the program itself.
+run, do not. Every program of PROGRAMS prints lines `name | value | rival | share`; start and the
+window's memory are measured here, on the program itself.
 """
 
-import json
 import os
 import re
 import signal
@@ -29,27 +28,9 @@ RUNS = 5 if QUICK else 21
 FRAME_TURNS = 1 if QUICK else 3
 HERE = os.path.dirname(os.path.abspath(__file__))
 
-# Two benchmarks of one program, by what they took: what it is, the program, here, the rival.
-PAIRS = [
-    ("360 α of 721 rows: exact range and RMS (rival: ranges of samples, Eigen)",
-     "bench-core-balance-shaft",
-     lambda took: took["sweep/rows:721/cubic:0"], lambda took: took["plain_range_sweep"]),
-    ("the same of a spline", "bench-core-balance-shaft",
-     lambda took: took["sweep/rows:721/cubic:1"], lambda took: took["plain_range_sweep"]),
-    ("a new α: curve of 721 points and all its figures (rival: its range, Eigen)",
-     "bench-core-balance-shaft",
-     lambda took: took["move_shaft/rows:721/cubic:0"],
-     lambda took: took["plain_range_sweep"] / 360),
-    ("the same of a spline", "bench-core-balance-shaft",
-     lambda took: took["move_shaft/rows:721/cubic:1"],
-     lambda took: took["plain_range_sweep"] / 360),
-    ("map of places (rival: a plain loop)", "bench-core-balance-shaft",
-     lambda took: took["map_of_places/49"], lambda took: took["plain_map_of_places/49"]),
-]
-
 # Program of the benchmarks, its arguments, and what it finds in the environment.
 PROGRAMS = [
-    (["bench-core-growth"], {}),
+    (["bench-core"], {}),
     (["bench-ui-frames", "--steps", STEPS], {}),
     (["bench-ui-frames", "--steps", STEPS, "--size", "1920x1080"], {}),
     (["bench-ui-frames", "--steps", STEPS], {"QT_SCALE_FACTOR": "2"}),
@@ -80,35 +61,6 @@ def rows_of(program, more, home):
                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True).stdout
     rows = [[part.strip() for part in line.split("|")] for line in printed.splitlines()]
     return [row for row in rows if len(row) == 4]
-
-
-def took(program):
-    """Names of a program's benchmarks that PAIRS may want, and their processor times, ns."""
-    printed = subprocess.run(
-        [os.path.join(BUILD, "tests/benchmark", program), "--benchmark_format=json",
-         f"--benchmark_min_time={0.05 if QUICK else 0.5}"],
-        text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True).stdout
-    unit = {"ns": 1.0, "us": 1e3, "ms": 1e6}
-    return {each["name"]: each["cpu_time"] * unit[each["time_unit"]]
-            for each in json.loads(printed)["benchmarks"]}
-
-
-def time_text(ns):
-    for name, size in (("ms", 1e6), ("µs", 1e3)):
-        if ns >= size:
-            return f"{ns / size:.3g} {name}"
-    return f"{ns:.3g} ns"
-
-
-def pair_rows():
-    programs = {}
-    rows = []
-    for what, program, here, rival in PAIRS:
-        if program not in programs:
-            programs[program] = took(program)
-        a, b = here(programs[program]), rival(programs[program])
-        rows.append([what, time_text(a), time_text(b), f"{a / b:.2f}"])
-    return rows
 
 
 def command_rows():
@@ -223,7 +175,7 @@ def print_tables(rows):
 
 def main():
     with tempfile.TemporaryDirectory() as home:
-        rows = start_rows() + command_rows() + pair_rows() + memory_rows()
+        rows = start_rows() + command_rows() + memory_rows()
         for program, more in PROGRAMS:
             turns = FRAME_TURNS if program[0] == "bench-ui-frames" else 1
             rows += middle_rows([row for _ in range(turns) for row in rows_of(program, more, home)])

@@ -1,6 +1,8 @@
-/// How the cost of what a user may make large grows with its size: the exponent fitted to processor
-/// times over a range of sizes, on log axes, and the one that theory gives; in lines for table.py.
+/// What the balance-shaft page waits for, each beside a plain loop with Eigen. Then how the cost of
+/// what a user may make large grows with its size: the exponent fitted to processor times over a
+/// range of sizes, on log axes, and the one that theory gives. In lines for table.py.
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "balance-shaft/angle_search.h"
+#include "balance-shaft/position_study.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
@@ -24,6 +28,7 @@
 #include "inertia-moments/presets.h"
 #include "inertia-moments/result.h"
 #include "numerics/constants.h"
+#include "numerics/periodic_piecewise.h"
 #include "scenes/scenes.h"
 #include "studies/study_run.h"
 
@@ -80,18 +85,104 @@ double exponent_of(const std::vector<std::pair<double, double>>& points) {
     return xy / xx;
 }
 
-balance_shaft::Input engine_of_rows(int rows, balance_shaft::Interpolation interpolation) {
+using balance_shaft::Interpolation;
+
+/// The paper's engine; its torque on the given rows, read off the periodic spline of Table 2.
+balance_shaft::Input engine(int rows, Interpolation interpolation) {
     balance_shaft::Input input = balance_shaft::preset_tmz_650d();
     input.interpolation = interpolation;
     balance_shaft::TorqueTable& table = input.torque.table;
-    table = {};
-    const int steps = rows - 1;
-    for (int i = 0; i < rows; ++i) {
-        const double turn = two_pi * (i % steps) / steps;
-        table.crank_angle_deg.push_back(720.0 * i / steps);
-        table.torque.push_back(300.0 * std::sin(turn) + 80.0 * std::cos(7.0 * turn));
+    if (rows != static_cast<int>(table.size())) {
+        const auto spline = PeriodicPiecewise::cubic(table.crank_angle_deg, table.torque);
+        table = {};
+        for (int i = 0; i < rows; ++i) {
+            table.crank_angle_deg.push_back(720.0 * i / (rows - 1));
+            table.torque.push_back(spline(720.0 * (i % (rows - 1)) / (rows - 1)));
+        }
     }
     return input;
+}
+
+/// The rival of the page: it sees the torque at every degree alone.
+struct Samples {
+    Eigen::ArrayXd moment{721}, cos{721}, sin{721};
+
+    explicit Samples(const balance_shaft::Solver& solver) {
+        for (int i = 0; i <= 720; ++i) {
+            moment[i] = solver.M_up(i * degree);
+            cos[i] = std::cos(i * degree);
+            sin[i] = std::sin(i * degree);
+        }
+    }
+    auto sum(double x, double y) const { return moment + x * cos + y * sin; }
+};
+
+struct Pair {
+    const char* name;
+    Work here, rival;
+};
+
+std::vector<Pair> all_pairs() {
+    const auto solver_of = [](int rows, Interpolation interpolation) {
+        return balance_shaft::Solver(engine(rows, interpolation));
+    };
+    const balance_shaft::Solver linear = solver_of(721, Interpolation::linear);
+    const balance_shaft::Solver cubic = solver_of(721, Interpolation::periodic_cubic);
+    const balance_shaft::Solver paper = solver_of(49, Interpolation::linear);
+    const double amplitude = linear.moments().forces.moment_amplitude;
+    constexpr int angles = 360;
+    // Range and RMS, exact over the continuous cycle.
+    const auto sweep = [=](const balance_shaft::Solver& solver) -> Work {
+        std::vector<double> alpha(angles), range(angles), rms(angles);
+        for (int i = 0; i < angles; ++i) {
+            alpha[static_cast<std::size_t>(i)] = i * degree;
+        }
+        return [=]() mutable {
+            balance_shaft::sweep(solver.moments().plane, amplitude, alpha, range, rms);
+        };
+    };
+    const auto plain_sweep = [=](int count) -> Work {
+        std::vector<double> range(static_cast<std::size_t>(count));
+        return [=, samples = Samples(linear)]() mutable {
+            for (std::size_t i = 0; i < range.size(); ++i) {
+                const double alpha = static_cast<double>(i) * degree;
+                const auto sum =
+                    samples.sum(amplitude * std::sin(alpha), amplitude * std::cos(alpha));
+                range[i] = sum.maxCoeff() - sum.minCoeff();
+            }
+        };
+    };
+    const auto move = [](const balance_shaft::Solver& solver) -> Work {
+        return [=, result = solver.result(), alpha = 0.0]() mutable {
+            solver.move_shaft(alpha, result);
+            alpha += 0.0174;
+        };
+    };
+    constexpr double reach = 0.25;
+    constexpr int places = 200;
+    const auto plain_map = [=, samples = Samples(paper), range = std::vector<double>(),
+                            force = paper.moments().forces.counterweight_force]() mutable {
+        range.clear();
+        for (int row = 0; row < places; ++row) {
+            for (int column = 0; column < places; ++column) {
+                const double step = force * 2.0 * reach / places;
+                const Eigen::ArrayXd sum =
+                    samples.sum(step * column - force * reach, step * row - force * reach);
+                range.push_back(sum.maxCoeff() - sum.minCoeff());
+            }
+        }
+    };
+    return {{"360 α of 721 rows: exact range and RMS (rival: ranges of samples, Eigen)",
+             sweep(linear), plain_sweep(angles)},
+            {"360 α of a spline of 721 rows (rival: the same)", sweep(cubic), plain_sweep(angles)},
+            {"a new α: curve of 721 points and all its figures (rival: its range, Eigen)",
+             move(linear), plain_sweep(1)},
+            {"a new α of a spline (rival: the same)", move(cubic), plain_sweep(1)},
+            {"map of places (rival: a plain loop)",
+             [study = balance_shaft::PositionStudy(paper)] {
+                 study.map(-reach, reach, -reach, reach, places, places);
+             },
+             plain_map}};
 }
 
 balance_shaft::Input diesel() {
@@ -122,10 +213,9 @@ Work study_of(int samples) {
 }
 
 std::vector<Growth> all_growths() {
-    using balance_shaft::Interpolation;
     const auto rows = [](Interpolation interpolation) {
         return [interpolation](int size) -> Work {
-            return [input = engine_of_rows(size, interpolation)] { balance_shaft::Solver{input}; };
+            return [input = engine(size, interpolation)] { balance_shaft::Solver{input}; };
         };
     };
     return {
@@ -192,6 +282,16 @@ std::vector<Growth> all_growths() {
 }  // namespace
 
 int main() {
+    for (const Pair& pair : all_pairs()) {
+        double here = std::numeric_limits<double>::infinity();
+        double rival = here;
+        for (int turn = 0; turn < 5; ++turn) {  // in turns, so that both meet the same machine
+            here = std::min(here, seconds_of(pair.here));
+            rival = std::min(rival, seconds_of(pair.rival));
+        }
+        std::printf("%s | %.2f µs | %.2f µs | %.2f\n", pair.name, 1e6 * here, 1e6 * rival,
+                    here / rival);
+    }
     for (const Growth& growth : all_growths()) {
         std::vector<std::pair<double, double>> points;
         for (const int size : growth.sizes) {
