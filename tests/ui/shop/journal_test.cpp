@@ -5,20 +5,13 @@
 
 #include <QDir>
 #include <QFile>
-#include <QFileInfo>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QProcess>
-#include <QRandomGenerator>
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTemporaryDir>
-#include <QThread>
 #include <algorithm>
 #include <atomic>
-#include <csignal>
-#include <map>
 
 #include "files.h"
 #include "shop/model/journal_rows.h"
@@ -471,79 +464,13 @@ TEST_F(JournalTest, AFolderThatCannotBeWrittenIsSaid) {
     EXPECT_TRUE(journal.search({}).isEmpty());
 }
 
-/// What a writer said it had saved.
-void readLines(const QByteArray& output, std::map<qint64, QString>& said) {
-    // The last line may be cut by the kill: only whole lines were said.
-    const qsizetype end = output.lastIndexOf('\n');
-    for (const QByteArray& line : output.left(std::max<qsizetype>(end, 0)).split('\n')) {
-        const QList<QByteArray> words = line.split(' ');
-        if (words.size() == 3 && words.at(0) == "job") {
-            said[words.at(1).toLongLong()] = QString::fromUtf8(words.at(2));
-        }
-    }
-}
-
-QString tagOf(const QByteArray& form) {
-    const QJsonObject object = QJsonDocument::fromJson(form).object();
-    EXPECT_EQ(object.value(u"padding"_s).toString().size(), 20000);  // whole, not a torn write
-    return object.value(u"tag"_s).toString();
-}
-
-/// RAVNOVES_KILLS says how often.
-TEST_F(JournalTest, NothingIsLostWhenKilledAgainAndAgain) {
-    bool isNumber = false;
-    int rounds = qEnvironmentVariableIntValue("RAVNOVES_KILLS", &isNumber);
-    rounds = isNumber ? rounds : 60;
-    std::map<qint64, QString> all;
-    QRandomGenerator random(20240531);
-    for (int round = 0; round < rounds; ++round) {
-        QProcess writer;
-        writer.start(QStringLiteral(JOURNAL_WRITER), {path(), QString::number(round), u"100000"_s});
-        ASSERT_TRUE(writer.waitForStarted());
-        QByteArray output;
-        if (round % 4 != 0) {  // every fourth is killed at any time, even while it opens
-            while (!output.contains('\n')) {
-                ASSERT_TRUE(writer.waitForReadyRead(30000)) << writer.readAllStandardError().data();
-                output += writer.readAllStandardOutput();
-            }
-        }
-        QThread::usleep(random.bounded(30000U));
-        ASSERT_EQ(::kill(static_cast<pid_t>(writer.processId()), SIGKILL), 0);
-        ASSERT_TRUE(writer.waitForFinished());
-        ASSERT_EQ(writer.exitStatus(), QProcess::CrashExit);
-        output += writer.readAllStandardOutput();
-        readLines(output, all);
-        if (round % 10 == 9 || round == rounds - 1) {
-            Journal journal(path());
-            ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
-            ASSERT_TRUE(journal.openMessage().isEmpty()) << "round " << round;
-        }
-    }
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
-    std::map<qint64, QString> kept;
-    for (const JournalJob& job : journal.search({})) {
-        kept[job.id] = tagOf(job.form);
-        EXPECT_EQ(kept[job.id], job.engineNumber);
-    }
-    EXPECT_GT(4 * all.size(), 3 * static_cast<std::size_t>(rounds));
-    for (const auto& [id, tag] : all) {
-        ASSERT_TRUE(kept.contains(id)) << "job " << id << " was lost";
-        EXPECT_EQ(kept[id], tag);
-    }
-    EXPECT_GE(kept.size(), all.size());
-    EXPECT_TRUE(files(u"*damaged*"_s).isEmpty());
-    RecordProperty("saved_jobs", static_cast<int>(kept.size()));
-}
-
 TEST_F(JournalTest, FourProgramsAtOnceLoseNothing) {
     constexpr int programs = 4;
     constexpr int each = 25;
     std::vector<std::unique_ptr<QProcess>> writers;
     for (int i = 0; i < programs; ++i) {
         writers.push_back(std::make_unique<QProcess>());
-        writers.back()->start(QStringLiteral(JOURNAL_WRITER),
-                              {path(), u"p%1"_s.arg(i), QString::number(each)});
+        writers.back()->start(QStringLiteral(JOURNAL_WRITER), {path(), QString::number(each)});
     }
     for (const auto& writer : writers) {
         ASSERT_TRUE(writer->waitForFinished(120000));
