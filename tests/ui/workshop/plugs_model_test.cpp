@@ -1,7 +1,6 @@
 // The plugs of a job without a page: what is computed, said, kept and listed.
 
 #include <QDate>
-#include <QFile>
 #include <QSqlDatabase>
 #include <QSqlQuery>
 #include <QTemporaryDir>
@@ -213,37 +212,6 @@ TEST_F(PlugsModelTest, WeightsCountFromTheFirstToTheLast) {
     model.editPlugs(u"off"_s, [](auto& input) { input.changes_from_weigh_in = false; });
     weigh(152 * gram);
     EXPECT_FALSE(model.input().plugs->changes_from_weigh_in) << "the user said so";
-}
-
-TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
-    PlugsModel model;
-    model.loadInput(repairJob(), {});
-    EXPECT_TRUE(has(model.shiftText(), u"1.5 to 2.3"_s));
-    EXPECT_FALSE(model.shiftText().contains(u"With the planned bore"_s));
-    model.editPlugs(u"plug"_s, [](auto& input) {
-        input.plug.emplace();
-        input.plug->thread = Thread{22e-3, 1.5e-3};
-        input.plug->height = 14e-3;
-        input.plug->cutter_diameter = 14e-3;
-    });
-    const Boring& boring = *model.plugs()->option(OptionId::steel_machined)->boring;
-    EXPECT_GT(boring.shift, 0.0);
-    // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
-    EXPECT_TRUE(has(model.shiftText(), u"With the planned bore it moves by 0.31\u00A0mm"_s));
-    // 1.83 g twice, 6.24 mm farther out than counted: beyond the tolerance, so another depth.
-    EXPECT_TRUE(has(model.shiftText(), u"22.9"_s));
-    const QStringList said = model.troubles() << Words().message(model.verdictShown()->text);
-    EXPECT_EQ(said.filter(u"it neglects the shift"_s).size(), 1) << "beside the verdict or in it";
-    const auto& effect = *model.plugs()->shift_that_matters();
-    const auto two = [](double value, Unit unit) { return Words().number(value, unit, 2); };
-    EXPECT_EQ(model.adviceText(), u"Take %1 off each of the 8 steel plugs."_s.arg(
-                                      two(effect.min_reduction, units::gram)));
-    EXPECT_TRUE(
-        model.boringText().endsWith(u"to %1 from the face."_s.arg(two(*effect.depth, units::mm))))
-        << qPrintable(model.boringText());
-    EXPECT_EQ(model.plugs()->shift_that_matters()->planned, true);
-    model.editPlugs(u"tolerance"_s, [](auto& input) { input.tolerance = 30e-6; });
-    EXPECT_EQ(model.plugs()->shift_that_matters(), nullptr);
 }
 
 TEST_F(PlugsModelTest, JobsAreSavedOpenedChangedAndCopied) {

@@ -1,4 +1,4 @@
-// Cases of plugs and of bob weights opened in the window, and plugs that come and go.
+// Tolerances of cases that became jobs, and plugs that come and go.
 
 #include <QCheckBox>
 #include <QSettings>
@@ -6,7 +6,6 @@
 #include "core/workshop/support.h"
 #include "fixtures.h"
 #include "job_page_test.h"
-#include "model/case_document.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -14,94 +13,18 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-/// What is withheld, null or not there, is not compared.
-void forgetWithheld(Json& was, const Json& is) {
-    if (!was.is_structured() || was.type() != is.type()) {
-        was = is.is_null() ? Json() : was;
-        return;
-    }
-    const Json before = was;
-    for (const auto& item : before.items()) {
-        const Json::json_pointer at("/" + item.key());
-        if (is.contains(at)) {
-            forgetWithheld(was[at], is.at(at));
-        } else if (was.is_object()) {
-            was.erase(item.key());
-        }
-    }
-}
-
-/// The files of the scenes that became jobs.
-std::vector<std::filesystem::path> casesOf(const std::string& scene) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& folder : {test::fixture_folder(), std::filesystem::path(RAVNOVES_EXAMPLES)}) {
-        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-            if (entry.path().string().ends_with(".case.json") &&
-                parse_case(read_text_file(entry.path())).scene == scene) {
-                files.push_back(entry.path());
-            }
-        }
-    }
-    return files;
-}
-
-TEST(OpenedCase, HasTheNumbersOfItsScene) {
+/// Their numbers as jobs: fixtures_test.cpp of the models.
+TEST(OpenedCase, HasTolerancesOfWhatTheJobHas) {
     for (const std::string scene : {"v8-plugs", "bob-weights"}) {
-        const auto files = casesOf(scene);
-        EXPECT_GE(files.size(), 2U);
-        for (const auto& path : files) {
-            SCOPED_TRACE(path.string());
-            const CaseFile file = parse_case(read_text_file(path));
-            WorkshopModel model({});
-            CaseDocument document(&model);
-            const QString name = QFile::decodeName(path.c_str());
-            document.open(CaseDocument::read(name), name);
-            const CaseFile saved = document.model()->caseFile();
-            EXPECT_EQ(saved.scene, "workshop");
-            EXPECT_EQ(saved.title, file.title);
-            EXPECT_EQ(saved.notes, file.notes);
-            ASSERT_EQ(model.variants().size(), static_cast<qsizetype>(file.variants.size()));
-            const auto compare = [&](const Json& input) {
-                Json was = scene_solver(scene).solve(input, {}, {});
-                was.erase("verdict");
-                const Json is = model.resultJson();
-                if (!is.at("doubtful").is_null()) {
-                    forgetWithheld(was, scene == "v8-plugs" ? is.at("plugs") : is);
-                }
-                if (scene == "v8-plugs") {
-                    EXPECT_EQ(workshop::test::difference(was, is.at("plugs")), "");
-                } else {
-                    was.erase("lines");
-                    EXPECT_EQ(workshop::test::difference(was, is), "");
-                }
-            };
-            compare(file.input);
-            for (std::size_t i = 0; i < file.variants.size(); ++i) {
-                EXPECT_EQ(model.variants().at(static_cast<qsizetype>(i)).name,
-                          QString::fromStdString(file.variants[i].name));
-                WorkshopModel variant({});
-                variant.loadInput(saved.variants.at(i).input, {});
-                EXPECT_EQ(variant.hasPlugs(), scene == "v8-plugs");
-                EXPECT_FALSE(variant.resultJson().contains("error"));
+        const CaseFile job =
+            parse_shown_case(read_text_file(test::fixture_folder() / (scene + ".case.json")));
+        EXPECT_EQ(job.scene, "workshop");
+        const Json result = solve_case(job, {}).at("result");
+        for (const auto& [list, in] : {std::pair("vary", job.input), {"watch", result}}) {
+            EXPECT_FALSE(job.study.at(list).empty());
+            for (const auto& item : job.study.at(list).items()) {
+                EXPECT_TRUE(in.contains(Json::json_pointer(item.key()))) << item.key();
             }
-            // The tolerances come along and name what the job has.
-            if (!file.study.is_null()) {
-                const Json study = parse_json(model.study());
-                EXPECT_EQ(study.at("vary").size(), file.study.at("vary").size());
-                EXPECT_EQ(study.at("watch").size(), file.study.at("watch").size());
-                for (const auto& spread : study.at("vary").items()) {
-                    EXPECT_TRUE(saved.input.contains(Json::json_pointer(spread.key())))
-                        << spread.key();
-                }
-                for (const auto& watched : study.at("watch").items()) {
-                    EXPECT_TRUE(model.resultJson().contains(Json::json_pointer(watched.key())))
-                        << watched.key();
-                }
-            }
-            // Saved and opened again it is the same.
-            WorkshopModel again({});
-            again.loadFile(parse_shown_case(write_case(saved).dump()), {});
-            EXPECT_EQ(again.input(), model.input());
         }
     }
 }
