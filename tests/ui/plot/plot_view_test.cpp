@@ -136,16 +136,6 @@ TEST_F(PlotViewTest, DragPans) {
     EXPECT_GT(plot.data().x.interval().first, before + 10.0);
 }
 
-TEST_F(PlotViewTest, MouseReadsTheCurve) {
-    QSignalSpy moved(&plot, &PlotView::cursorMoved);
-    test::movePointer(&plot, at(90, 0));
-    ASSERT_FALSE(moved.isEmpty());
-    EXPECT_NEAR(moved.last().first().toDouble(), 90.0, 1.0);
-    EXPECT_NEAR(*plot.valueAt(0, 90.0), 100.0, 1e-9);
-    EXPECT_NEAR(*plot.valueAt(0, 30.5), 100.0 * std::sin(30.5 * pi / 180), 0.01);
-    EXPECT_FALSE(plot.valueAt(0, 721.0).has_value());
-}
-
 TEST_F(PlotViewTest, PicksOnlyWherePickable) {
     QSignalSpy picked(&plot, &PlotView::picked);
     QTest::mouseClick(&plot, Qt::LeftButton, {}, at(200, 0));
