@@ -69,10 +69,6 @@ constexpr Source sources[] = {
 
 }  // namespace
 
-std::span<const Source> bibliography() {
-    return sources;
-}
-
 const Source& source(std::string_view key) {
     const auto found = std::find_if(std::begin(sources), std::end(sources),
                                     [&](const Source& entry) { return entry.key == key; });

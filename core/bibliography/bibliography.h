@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 
 #include "case-file/message.h"
@@ -19,10 +18,6 @@ struct Source {
     std::string_view pages;  ///< "14–22"
     const char* doi = "";
 };
-
-/// Every source: the papers in the order of the scenes, then the papers of methods, then the
-/// standards.
-std::span<const Source> bibliography();
 
 /// The source of that key, which must be there.
 const Source& source(std::string_view key);

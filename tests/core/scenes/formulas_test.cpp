@@ -39,10 +39,7 @@ TEST(Formulas, CiteSourcesThatTheBibliographyHolds) {
             EXPECT_FALSE(formula.html.empty());
             if (!formula.source.empty()) {
                 cites = true;
-                const auto known = bibliography();
-                EXPECT_TRUE(std::any_of(known.begin(), known.end(), [&](const Source& source) {
-                    return source.key == formula.source;
-                })) << formula.source;
+                EXPECT_NO_THROW(static_cast<void>(source(formula.source)));
             } else {
                 EXPECT_TRUE(formula.equation.empty()) << "an equation of no paper";
             }

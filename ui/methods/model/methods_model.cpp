@@ -73,32 +73,16 @@ Json MethodsModel::inputJson() const {
     return Json::object();
 }
 
+Json MethodsModel::resultJson() const {
+    return Json::object();
+}
+
 void MethodsModel::loadFile(const CaseFile& file, const CaseContext& /*context*/,
                             bool /*isNamed*/) {
     const Json& input = file.input;
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
     throw InputError(place,
                      Text::tr("is not a setting of this page; settings: kernel, sweep, value"));
-}
-
-Json MethodsModel::resultJson() const {
-    Json rows = Json::array();
-    if (shown_) {
-        for (const methods::MethodRow& row : shown_->report.rows) {
-            const auto& method = shown_->kernel().methods[row.method];
-            Json entry{{"method", method.id},
-                       {"setting", method.settings[row.setting].label.english()},
-                       {"in_use", row.in_use},
-                       {"median_ns", row.timing.median}};
-            if (row.result.rejected()) {
-                entry["refusal"] = row.result.rejection.english();
-            } else {
-                entry["error"] = row.result.error;
-            }
-            rows.push_back(std::move(entry));
-        }
-    }
-    return Json{{"kernel", shown_ ? shown_->kernel().id : kernel().id}, {"methods", rows}};
 }
 
 bool MethodsModel::setViewOption(const QString& key, const QString& value) {

@@ -39,7 +39,6 @@ class MethodsModel : public SceneModel {
     Json inputJson() const override;
     /// @throws InputError always: no case has this page's word
     void loadFile(const CaseFile& file, const CaseContext& context, bool isNamed = false) override;
-    /// The measured table.
     Json resultJson() const override;
     /// "kernel", "sweep" (by id) and "value".
     /// @throws InputError for a word or a number that is not allowed there
