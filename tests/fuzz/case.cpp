@@ -3,7 +3,6 @@
 // magnitude or near what stood there: solved, or rejected at a place of its input, in less than
 // five seconds of the processor.
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,26 +1,23 @@
 // What leaves a plot: pictures, drawings, data.
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QFile>
 #include <QMainWindow>
 #include <QMenu>
-#include <QMimeData>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTimer>
-#include <cmath>
-#include <csignal>
 
 #include "difference.h"
 #include "events.h"
 #include "files.h"
+#include "full_disk.h"
 #include "pictures/figure.h"
 #include "plot/plot_view.h"
 #include "text/csv_format.h"
@@ -107,20 +104,15 @@ TEST_F(PlotExportTest, EveryFileIsWhatItsEndingSays) {
 }
 
 TEST_F(PlotExportTest, AFailedWriteIsSaidAndTheOldFileStays) {
-    // No file may grow beyond a few bytes, as on a disk that is full.
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    const auto signal = std::signal(SIGXFSZ, SIG_IGN);
     for (const char* name : {"old.svg", "old.pdf", "old.png", "old.csv"}) {
         test::writeFile(file(name), "old");
-        const rlimit few{16, before.rlim_max};
-        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &few), 0);
-        const QString trouble = write(file(name));
-        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+        const QString trouble = [&] {
+            const test::FullDisk full(16);
+            return write(file(name));
+        }();
         EXPECT_TRUE(trouble.contains(QString::fromUtf8(name))) << trouble.toStdString();
         EXPECT_EQ(test::contentOf(file(name)), "old") << name;
     }
-    std::signal(SIGXFSZ, signal);
 }
 
 TEST_F(PlotExportTest, ThePdfHoldsTextAndLinesRatherThanPixels) {

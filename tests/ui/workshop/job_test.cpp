@@ -12,7 +12,6 @@
 #include <QTabBar>
 #include <algorithm>
 
-#include "bob-weights/factor_theory.h"
 #include "model/case_document.h"
 #include "page/part_views.h"
 #include "shop/model/verdict.h"
@@ -1609,27 +1608,6 @@ TEST_F(ReadJobTest, NamesOfThePlanesMoveNoReading) {
     }
     EXPECT_TRUE(begins(field("unbalance_1")->accessibleName(), u"Before, Pulley: "_s));
     EXPECT_EQ(find<QComboBox>("drilled_plane_1")->currentText(), u"Pulley"_s);
-}
-
-TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
-    EXPECT_FALSE(partPlot(page, "force")->isVisible());
-    model->loadInput(bobWeightsJob(), {});
-    PartPlot* plot = partPlot(page, "force");
-    EXPECT_FALSE(plot->isVisible());
-    find<QToolButton>("details")->click();
-    EXPECT_TRUE(plot->isVisible());
-    plot->grab();  // its axes follow where it is painted
-    const auto& solution = model->solution();
-    const auto bare = bob_weights::force_path(*solution.first_order_bare);
-    const auto left = bob_weights::force_path(*solution.first_order);
-    for (const std::size_t i : {std::size_t{0}, std::size_t{31}, std::size_t{90}}) {
-        EXPECT_NEAR(plot->data().curve(0).x[i], bare.across[i] / units::gram, 1e-9);
-        EXPECT_NEAR(plot->data().curve(0).y[i], bare.upright[i] / units::gram, 1e-9);
-        EXPECT_NEAR(plot->data().curve(1).y[i], left.upright[i] / units::gram, 1e-9);
-    }
-    const double reach = solution.first_order_bare->maximum() / units::gram;
-    EXPECT_GT(plot->data().left.interval().second, reach);
-    EXPECT_GT(plot->data().x.interval().second, reach);
 }
 
 }  // namespace
