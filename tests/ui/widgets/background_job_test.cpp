@@ -171,6 +171,8 @@ TEST_F(BackgroundJobTest, WhatWaitsForRestRunsWhenTheHandRests) {
 /// Neither what made the worker's thread nor the job before leaves it with vector registers in use,
 /// which would make sines and the like eight times slower.
 TEST_F(BackgroundJobTest, BeginsWithClearVectorRegisters) {
+    test::dirty_vector_registers();
+    EXPECT_EQ(test::are_vector_registers_dirty(), test::has_wide_vectors());
     for (int i = 0; i < 3; ++i) {
         bool dirty = true;
         test::dirty_vector_registers();
