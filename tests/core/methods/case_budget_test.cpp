@@ -9,6 +9,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "core/balance-shaft/synthetic_engine.h"
 #include "examples.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
@@ -82,25 +83,18 @@ TEST(CaseBudget, AnotherChoiceContributesTheDifferenceOfTwoSolutions) {
 
 /// One degree of it is worth several percent of the work.
 TEST(CaseBudget, ThePhaseOfATraceIsAsCertainAsItsCompressionLine) {
-    CaseFile file = test::example("with-shaft-88x75");
-    constexpr double radius = 37.5;
-    constexpr double rod = 130.0;
-    constexpr double dead = 2.0 * radius / 9.0;  // height of the clearance volume
+    CaseFile file = test::example("tmz-650d");
+    const balance_shaft::PressureTrace trace = balance_shaft::test::trace_of(
+        balance_shaft::test::synthetic_engines().front().pressure(1.0), 1.0);
     std::string rows = "deg;bar\n";
-    for (int angle = 0; angle <= 720; ++angle) {
-        const double phi = angle * degree;
-        const double gap = radius * (1.0 - std::cos(phi)) + rod -
-                           std::sqrt(rod * rod - std::pow(radius * std::sin(phi), 2.0)) + dead;
-        const bool is_closed = angle > 180 && angle < 540;
-        const double heat =
-            angle > 355 ? 1.0 + 2.0 * (1.0 - std::exp(-std::pow((angle - 355) / 20.0, 2.0))) : 1.0;
-        const double closed = heat * std::pow((2.0 * radius + dead) / gap, 1.34);
-        rows += std::to_string(angle) + ';' + std::to_string(is_closed ? closed : 1.0) + '\n';
+    for (std::size_t i = 0; i < trace.pressure.size(); ++i) {
+        rows += std::to_string(i) + ';' + std::to_string(trace.pressure[i] / 1e5) + '\n';
     }
     const ravnoves::test::TemporaryFolder folder;
     const auto path = folder.path() / "p.csv";
     write_text_file(path, rows);
     file.input["torque"] = {{"pressure", {{"csv", path.string()}}}};
+    file.input["cylinder"] = {{"bore_mm", 95.5}, {"rod_length_mm", 150}};
     const std::string pointer = "/torque/pressure/crank_angle_shift_deg";
     const auto budget = case_budget(file, {});
     const auto range = std::ranges::find(budget, "/metrics/M_ups/range_Nm",
@@ -129,7 +123,7 @@ TEST(CaseBudget, ThePhaseOfATraceIsAsCertainAsItsCompressionLine) {
         "The uncertain dead centre of the trace is not included: give " + pointer +
         " a tolerance of ± 0."))
         << notes[0].english();
-    EXPECT_TRUE(notes_of("/crank_radius_mm", {{"values", {37, 38}}}).empty());
+    EXPECT_TRUE(notes_of("/crank_radius_mm", {{"values", {46, 47}}}).empty());
     // A tolerance of the user's own takes its place.
     file.input["torque"]["pressure"]["crank_angle_shift_deg"] = 0.0;
     EXPECT_TRUE(notes_of(pointer, {{"plus_minus", 0.25}}).empty());
