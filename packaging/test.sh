@@ -116,7 +116,7 @@ lint_sources() {
 
 # Some hundred thousand cases, damaged and with any numbers in them, by the core-only build.
 run_random_cases() {
-    "$root/build/core-only/tests/fuzz/fuzz-case" --copies 20000 \
+    "$root/build/core-only/tests/fuzz/fuzz-case" --copies 50000 \
         "$root/resources/examples" "$root/tests/data/fuzz/case"
 }
 
