@@ -78,6 +78,7 @@ TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
 }
 
 TEST_F(ValueSliderTest, WheelAndGrooveMoveIt) {
+    other.setFocus();
     slider.slider()->setFocus(Qt::TabFocusReason);
     test::turnWheel(slider.slider(), slider.slider()->rect().center(), 1);
     EXPECT_GT(slider.value(), 45.0);
