@@ -15197,42 +15197,6 @@ but at this l no α is feasible</source>
         <translation>Среднее квадратическое отклонение Mᵤₚₛ от среднего</translation>
     </message>
     <message>
-        <source>Means over α</source>
-        <translation>Средние от α</translation>
-    </message>
-    <message>
-        <source>shaft (Mₛₘ)</source>
-        <translation>вал (Mₛₘ)</translation>
-    </message>
-    <message>
-        <source>Cycle mean of Mₛ</source>
-        <translation>Среднее Mₛ за цикл</translation>
-    </message>
-    <message>
-        <source>with shaft (Mᵤₚₛₘ)</source>
-        <translation>с валом (Mᵤₚₛₘ)</translation>
-    </message>
-    <message>
-        <source>Cycle mean of Mᵤₚₛ</source>
-        <translation>Среднее Mᵤₚₛ за цикл</translation>
-    </message>
-    <message>
-        <source>shaft, paper (Mₛₘ)</source>
-        <translation>вал, статья (Mₛₘ)</translation>
-    </message>
-    <message>
-        <source>Mean of 25 nodes, the end counted twice</source>
-        <translation>Среднее по 25 узлам, конец учтён дважды</translation>
-    </message>
-    <message>
-        <source>with shaft, paper (Mᵤₚₛₘ)</source>
-        <translation>с валом, статья (Mᵤₚₛₘ)</translation>
-    </message>
-    <message>
-        <source>Node mean of Mᵤₚ plus node mean of Mₛ</source>
-        <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ по узлам</translation>
-    </message>
-    <message>
         <source>Overall size over α</source>
         <translation>Габарит от α</translation>
     </message>

@@ -67,15 +67,7 @@ QWidget* ShaftTabs::buildMoments() {
     auto* holder = new QWidget(this);
     QVBoxLayout* column = columnIn(holder, Theme::space, tabMargins);
     column->addWidget(addCyclePlot("moments", holder), 5);
-    constexpr int pairWidth = 420;  ///< designed pixels of two charts beside each other
-    auto* lower = new FoldingRow(pairWidth, holder);
-    lower->add(addAnglePlot("range", lower));
-    PartPlot* means = addAnglePlot("means", lower);
-    lower->add(means);
-    const auto showMeans = [this, means] { means->setVisible(model_->isPapersCase()); };
-    connect(model_, &SceneModel::changed, means, showMeans);
-    showMeans();
-    column->addWidget(lower, 4);
+    column->addWidget(addAnglePlot("range", holder), 4);
     return holder;
 }
 

@@ -153,14 +153,12 @@ TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
     EXPECT_FALSE(move->isHidden());
 }
 
-TEST_F(BalanceShaftPageTest, ClickInThePlotsSetsTheShaft) {
-    for (PlotView* plot : {partPlot(page, "range"), partPlot(page, "means")}) {
-        QTest::mouseClick(
-            plot, Qt::LeftButton, {},
-            QPoint(plot->toPixel(200.0, 0).toPoint().x(), plot->plotArea().center().toPoint().y()));
-        EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 2.0);
-        model->setShaftAngleDeg(45.0);
-    }
+TEST_F(BalanceShaftPageTest, AClickInThePlotSetsTheShaft) {
+    PlotView* plot = partPlot(page, "range");
+    QTest::mouseClick(
+        plot, Qt::LeftButton, {},
+        QPoint(plot->toPixel(200.0, 0).toPoint().x(), plot->plotArea().center().toPoint().y()));
+    EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 2.0);
 }
 
 TEST_F(BalanceShaftPageTest, BestButtonsGoThere) {
@@ -194,7 +192,7 @@ TEST_F(BalanceShaftPageTest, BestButtonsOfferNothingThatDoesNotFit) {
 }
 
 TEST_F(BalanceShaftPageTest, WhatCannotBeBuiltIsShaded) {
-    EXPECT_EQ(partPlot(page, "means")->data().bands.size(), 2U);
+    EXPECT_EQ(partPlot(page, "range")->data().bands.size(), 2U);
     // The page says which sizes that rests on.
     EXPECT_TRUE(field("rod_width_mm")->placeholderText().contains(QStringLiteral("23")));
     type("clearance_mm", QStringLiteral("50"));
@@ -393,21 +391,9 @@ TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
 }
 
 TEST_F(BalanceShaftPageTest, MeansOfNodesAreShownWithThePapersTableAlone) {
-    const PlotView* plot = partPlot(page, "means");
-    const auto at90 = [&](const char* curve) {
-        const auto number = plot->data().find(curve);
-        return number ? plot->valueAt(static_cast<int>(*number), 90.0) : std::nullopt;
-    };
-    // The paper's artefact: 17.2 N·m from a pure sine at α = 90°.
-    EXPECT_NEAR(*at90("printed-M_s"), 17.22, 0.01);
-    EXPECT_NEAR(*at90("M_s"), 0.0, 1e-9);
-    EXPECT_TRUE(plot->isVisible());
     const qsizetype rows = model->criteria().rows.size();
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    EXPECT_FALSE(plot->isVisible());
     EXPECT_EQ(model->criteria().rows.size(), rows - 1);
-    model->history()->undo();
-    EXPECT_TRUE(plot->isVisible());
 }
 
 TEST_F(BalanceShaftPageTest, TheStrokeIsTwiceTheCrankRadiusWhicheverIsTyped) {

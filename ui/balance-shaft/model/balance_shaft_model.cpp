@@ -62,11 +62,6 @@ void BalanceShaftModel::takeView(const SceneModel& other) {
     }
 }
 
-bool BalanceShaftModel::isPapersCase() const {
-    static const balance_shaft::TorqueTable printed = balance_shaft::preset_tmz_650d().torque.table;
-    return !input().torque.is_computed() && input().torque.table == printed;
-}
-
 void BalanceShaftModel::setCriterion(Criterion criterion) {
     if (std::exchange(criterion_, criterion) != criterion) {
         if (shaftMap_ != nullptr) {
@@ -327,7 +322,8 @@ Results BalanceShaftModel::criteria() const {
         row(tr("max"), &MomentMetrics::max, tr("Maximum over the cycle")),
         row(tr("min"), &MomentMetrics::min,
             tr("Minimum over the cycle; usually negative, nearer to zero is better"))};
-    if (isPapersCase()) {
+    static const balance_shaft::TorqueTable printed = balance_shaft::preset_tmz_650d().torque.table;
+    if (!input().torque.is_computed() && input().torque.table == printed) {
         results.rows.push_back(
             {{tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),
               moment(result().printed_mean_M_ups),

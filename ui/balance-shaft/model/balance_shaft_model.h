@@ -99,9 +99,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     CrankAngle* crank() { return &crank_; }
     const CrankAngle* crank() const { return &crank_; }
 
-    /// The torque is the table that the paper prints: then its means over the nodes are shown too.
-    bool isPapersCase() const;
-
     /// By range or by RMS.
     using Criterion = balance_shaft::SpeedStudy::Criterion;
     /// What both maps show, of places and over α and speed, and judge by.

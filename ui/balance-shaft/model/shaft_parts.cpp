@@ -151,28 +151,6 @@ Figure range(const Model& model) {
     return figure;
 }
 
-Figure means(const Model& model) {
-    const balance_shaft::AngleSweep& sweep = model.result().sweep;
-    Figure figure = overAngle(model, ShaftParts::tr("Means over α"), ShaftParts::tr("N·m"));
-    if (!model.isPapersCase()) {
-        return figure;
-    }
-    const auto add = [&](const char* id, const QString& name, Role role, double width,
-                         const QString& tip, const std::vector<double>& values) {
-        figure.add(id, {.name = name, .role = role, .width = width, .toolTip = tip},
-                   sweep.shaft_angle_deg, values);
-    };
-    add("M_s", ShaftParts::tr("shaft (Mₛₘ)"), Role::Shaft, 1.8, ShaftParts::tr("Cycle mean of Mₛ"),
-        sweep.mean_M_s);
-    add("M_ups", ShaftParts::tr("with shaft (Mᵤₚₛₘ)"), Role::Sum, 1.8,
-        ShaftParts::tr("Cycle mean of Mᵤₚₛ"), sweep.mean_M_ups);
-    add("printed-M_s", ShaftParts::tr("shaft, paper (Mₛₘ)"), Role::Printed, 1.6,
-        ShaftParts::tr("Mean of 25 nodes, the end counted twice"), sweep.printed_mean_M_s);
-    add("printed-M_ups", ShaftParts::tr("with shaft, paper (Mᵤₚₛₘ)"), Role::PrintedSum, 1.6,
-        ShaftParts::tr("Node mean of Mᵤₚ plus node mean of Mₛ"), sweep.printed_mean_M_ups);
-    return figure;
-}
-
 /// Over a whole turn: the first comes again at its end.
 std::vector<double> closedTurn(const std::vector<double>& values, const Unit& unit) {
     std::vector<double> closed = inUnit(values, unit);
@@ -775,7 +753,6 @@ constexpr std::array makers{
     Maker{{.id = "notes"}, made<notes>},
     Maker{{.id = "moments", .tab = "moments"}, made<moments>},
     Maker{{.id = "range", .tab = "moments"}, made<range>},
-    Maker{{.id = "means", .tab = "moments"}, made<means>},
     Maker{{.id = "places", .tab = "map", .hasBand = false}, made<places>},
     Maker{{.id = "best-place", .tab = "map", .hasBand = false}, made<bestPlace>},
     Maker{{.id = "front", .tab = "map", .hasBand = false}, made<front>},

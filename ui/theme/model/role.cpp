@@ -41,8 +41,6 @@ constexpr std::array looks{
     RoleLook{Role::Range, "range", 2, Qt::SolidLine, Marker::Diamond},
     RoleLook{Role::Rms, "rms", 3, Qt::DashLine},
     RoleLook{Role::OtherQuantity, "other-quantity", 4, Qt::DashDotLine},
-    RoleLook{Role::Printed, "printed", 4, Qt::DotLine},
-    RoleLook{Role::PrintedSum, "printed-sum", 5, Qt::DashDotDotLine},
     RoleLook{Role::Part, "part", 1, Qt::DashDotLine},
     RoleLook{Role::Comparison, "comparison", 7, Qt::DashLine},
     RoleLook{Role::Case, "case", 7},

@@ -41,9 +41,7 @@ enum class Role {
     Range,
     Rms,
     OtherQuantity,  ///< on the right axis
-    Printed,        ///< in a paper
-    PrintedSum,
-    Part,  ///< of another curve
+    Part,           ///< of another curve
     Comparison,
     Case,  ///< among curves of other inputs
     Best,
