@@ -10,7 +10,7 @@
 namespace ravnoves {
 
 Message Range::message(Unit unit) const {
-    if (std::isfinite(max)) {
+    if (std::isfinite(min) && std::isfinite(max)) {
         return {min_open ? Text::tr("must be greater than %1 and at most %2")
                          : Text::tr("must be from %1 to %2"),
                 Number{min, unit, 0, true}, Number{max, unit}};
@@ -18,6 +18,9 @@ Message Range::message(Unit unit) const {
     if (std::isfinite(min)) {
         return {min_open ? Text::tr("must be greater than %1") : Text::tr("must be at least %1"),
                 Number{min, unit}};
+    }
+    if (std::isfinite(max)) {
+        return {Text::tr("must be at most %1"), Number{max, unit}};
     }
     return Text::tr("must be a finite number");
 }

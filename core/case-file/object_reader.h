@@ -73,7 +73,7 @@ std::string escape_segment(std::string_view key);
 /// Whether a text is a JSON pointer to something within a document.
 bool is_inner_pointer(const std::string& text);
 /// The keys on the way of a JSON pointer.
-/// @throws Json::exception where it is none
+/// @throws Json::exception for another text
 std::vector<std::string> keys_of(const std::string& pointer);
 
 /// A text of the user's as a message shows it: control characters as \u001b, which a terminal does

@@ -8,8 +8,8 @@
 
 namespace ravnoves {
 
-/// The interval of an input, in the unit that the user sees; with a max it has a min. Case files
-/// and forms read the same Range, so both reject the same values.
+/// The interval of an input, in the unit that the user sees. Case files and forms read the same
+/// Range, so both reject the same values.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();

@@ -33,7 +33,7 @@ class Wanted {
 /// Visits the values of some result.
 using VisitResults = std::function<void(ResultVisitor& visitor)>;
 
-/// The "result" object of a file, as far as it is wanted.
+/// The "result" object of a file, with the wanted members alone.
 Json result_json(const Wanted& wanted, const VisitResults& visit);
 /// The same by the scene's visit_results() of these arguments: an input, or a solved one.
 template <typename... Solved>

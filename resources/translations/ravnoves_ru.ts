@@ -669,6 +669,10 @@
         <translation>обязательно, но отсутствует</translation>
     </message>
     <message>
+        <source>must be at most %1</source>
+        <translation>должно быть не больше %1</translation>
+    </message>
+    <message>
         <source>must be a file name</source>
         <translation>должно быть именем файла</translation>
     </message>
