@@ -105,9 +105,8 @@ SceneSolver older_scene(std::string_view name) {
 }  // namespace
 
 Json SceneSolver::solve(const Json& input, const CaseContext& context, const Wanted& wanted) const {
-    return result_json(wanted, VisitResults([&](ResultVisitor& visitor) {
-                           visit(visitor, input, context);
-                       }));
+    return result_json(
+        wanted, VisitResults([&](ResultVisitor& visitor) { visit(visitor, input, context); }));
 }
 
 std::vector<ResultEntry> SceneSolver::results(const Json& input, const CaseContext& context) const {

@@ -26,7 +26,7 @@ class ChangeMapPlot : public PartPlot {
     virtual void showField();
     /// Over the colours and below the lines, within the chart.
     virtual void paintOnField(QPainter& /*painter*/) {}
-    /// What a tip says of a place of the chart; how to read the map is said beside it.
+    /// What a tip says of a place of the chart; the line beside the map tells how to read it.
     virtual QString tipAt(const QPointF& pixel) const = 0;
 
     void paintGround(QPainter& painter) override;

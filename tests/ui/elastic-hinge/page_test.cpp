@@ -262,7 +262,7 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
     ASSERT_TRUE(torn.isReadable());
     for (std::size_t k = 0; k < torn.x.size(); k += 7) {
         const double seen = std::fmod(std::atan2(torn.y[k], torn.x[k]) / degree + 360.0, 360.0);
-        const QString read = torn.text(k).section(QLatin1Char('\n'), 1, 1);
+        const QString read = torn.text(torn.places[k]).section(QLatin1Char('\n'), 1, 1);
         EXPECT_NEAR(seen, read.mid(4).chopped(1).toDouble(), 0.06) << k;
     }
 }

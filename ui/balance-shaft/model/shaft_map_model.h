@@ -39,7 +39,7 @@ struct ShaftMap {
 };
 
 /// The map of the places of the shaft's axis: the latest map (ShaftMap), its values by the
-/// criterion, places worth seeing, the moves of the axis over it, and what it says as text.
+/// criterion, places worth seeing, the moves of the axis over it, and their texts.
 ///
 /// The map is made in the background when the input changes; a moving shaft does not change it.
 class ShaftMapModel : public QObject {

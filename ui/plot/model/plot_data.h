@@ -100,7 +100,7 @@ struct Line {
 
 }  // namespace plot
 
-/// A curve as it is drawn: the points that have a place, and how they hang together.
+/// A drawn curve: the points that have a place, and how they hang together.
 struct PlotCurve : plot::Curve {
     std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
     std::vector<std::size_t> places = {};  ///< of the points among those that the figure has
