@@ -70,6 +70,7 @@ void BackgroundJob::launch() {
 }
 
 void BackgroundJob::run(Work& work, const std::shared_ptr<std::atomic<bool>>& stop) {
+    stopOfWork_ = stop;
     QElapsedTimer sinceReport;
     sinceReport.start();
     const auto report = [&](double part) {
@@ -100,6 +101,14 @@ void BackgroundJob::post(std::function<void()> telling) {
         reports_.push_back(std::move(telling));
     }
     QMetaObject::invokeMethod(this, &BackgroundJob::tell, Qt::QueuedConnection);
+}
+
+void BackgroundJob::tellSoFar(std::function<void()> telling) {
+    post([stop = stopOfWork_, telling = std::move(telling)] {
+        if (!*stop) {
+            telling();
+        }
+    });
 }
 
 void BackgroundJob::tell() {

@@ -39,6 +39,8 @@ class BackgroundJob : public QObject {
     /// The same, and waits until its thread is idle: until the work next reports its progress.
     void stop();
     bool isRunning() const { return running_; }
+    /// From the work: runs this in the thread of this object unless the work is stopped by then.
+    void tellSoFar(std::function<void()> telling);
 
   Q_SIGNALS:
     void progress(double part);
@@ -67,7 +69,8 @@ class BackgroundJob : public QObject {
     bool running_ = false;
     std::mutex mutex_;  ///< of reports_
     std::vector<std::function<void()>> reports_;
-    std::thread thread_;  ///< of one run
+    std::thread thread_;                             ///< of one run
+    std::shared_ptr<std::atomic<bool>> stopOfWork_;  ///< the thread's own
 };
 
 }  // namespace ravnoves

@@ -98,8 +98,9 @@ void addSweep(Paper& report, StudyModel& study, const Patience& patience) {
     }
     SweepModel model(&study);
     model.setWatched(true);
-    patience.waitWhile([&model] { return model.job()->isRunning(); });
-    if (model.sweep() == nullptr) {
+    patience.waitWhile([&model] { return model.isBusy(); });
+    model.setWatched(false);
+    if (model.sweep() == nullptr || model.isStale()) {
         if (!model.trouble().isEmpty()) {
             report.say(model.trouble(), Tone::Warning);
         }

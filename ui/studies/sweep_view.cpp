@@ -158,14 +158,19 @@ void SweepView::chooseResult(const std::string& result) {
 
 void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
+    const bool isOld = model_->isStale() && !model_->isPartial();
+    const bool isFaded = isOld && sweep != nullptr;
+    const QString& trouble = model_->trouble();
+    plot_->setFaded(isFaded, !isFaded ? QString() : trouble.isEmpty() ? tr("Computing…") : trouble);
+    share_->setFaded(isFaded);
     words_->setText(sweepWords(*study_, *model_));
-    plot_->setFaded(sweep == nullptr, sweep == nullptr ? words_->text() : QString());
-    share_->setFaded(sweep == nullptr);
-    take_->setVisible(sweep != nullptr && sweep->best);
-    if (sweep == nullptr) {
+    const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
+                         !study_->inputTitle(sweep->input).text.isEmpty();
+    take_->setVisible(isTaken);
+    if (sweep == nullptr || isOld) {
         return;
     }
-    if (sweep->best) {
+    if (isTaken) {
         const ShownTitle input = study_->inputTitle(sweep->input);
         take_->setText(
             tr("Set t&o %1").arg(shownFormNumber(input.factor * sweep->best->x, QLocale(), 5)));

@@ -70,8 +70,8 @@ QString bestText(const StudyModel& study, const Sweep& sweep) {
 QString sweepWords(const StudyModel& study, const SweepModel& model) {
     return !model.trouble().isEmpty() ? model.trouble()
            : model.result().empty()   ? SweepWords::tr("Choose a result to watch.")
-           : model.sweep() == nullptr ? SweepWords::tr("Computing…")
-                                      : bestText(study, *model.sweep());
+           : model.sweep() == nullptr || model.isPartial() ? SweepWords::tr("Computing…")
+                                                           : bestText(study, *model.sweep());
 }
 
 std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
@@ -109,9 +109,9 @@ std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
     }
     share.x = {input.text, built.x.front(), built.x.back()};
     result.x = share.x;
-    const StudyModel::Input& swept = *study.input(sweep.input);
-    const double nominal = input.factor * swept.value;
-    if (const double half = input.factor * swept.half(); half > 0.0) {
+    const double nominal = input.factor * sweep.nominal;
+    if (sweep.half > 0.0) {
+        const double half = input.factor * sweep.half;
         result.bands = {{nominal - half, nominal + half, Role::Present, 0.12, QStringLiteral("±")}};
     }
     const auto shown = [&](double value) {

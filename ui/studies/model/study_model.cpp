@@ -10,6 +10,7 @@
 #include "model/input_differences.h"
 #include "model/scene_model.h"
 #include "scenes/scenes.h"
+#include "studies/model/solved_once.h"
 #include "studies/study_run.h"
 #include "text/capital.h"
 #include "text/key_words.h"
@@ -66,14 +67,6 @@ void collectNumbers(const Json& json, const std::string& pointer, std::vector<st
 }
 
 }  // namespace
-
-double StudyModel::Input::half() const {
-    if (!varied || varied->spread == Varied::Spread::grid) {
-        return 0.0;
-    }
-    const studies::Law law = studies::law_of(*varied, value);
-    return 0.5 * (law.high - law.low);
-}
 
 StudyModel::StudyModel(SceneModel* scene, QObject* parent)
     : QObject(parent), scene_(scene), job_(new BackgroundJob(this)) {
@@ -297,12 +290,16 @@ void StudyModel::start() {
     file.study = studies::write_study(study);
     job_->start([this, file = std::move(file), context = scene_->context(),
                  watched](const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const auto part =
-            studies::run_study(studies::problem_of(file, context), 1, 1, everyCore, progress);
-        if (!part) {
+        const studies::Problem problem = studies::problem_of(file, context);
+        const auto answers =
+            solvedOnce<StudyAnswers>(problem, watched, [&]() -> std::optional<StudyAnswers> {
+                const auto part = studies::run_study(problem, 1, 1, everyCore, progress);
+                return part ? std::optional(answersOf(*part, watched)) : std::nullopt;
+            });
+        if (!answers) {
             return {};
         }
-        return [this, answers = answersOf(*part, watched)] { show(answers, {}); };
+        return [this, answers] { show(answers, {}); };
     });
 }
 

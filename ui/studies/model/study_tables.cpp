@@ -67,24 +67,25 @@ QString StudyTable::pasteBlock(int row, int column, const std::vector<QStringLis
     return why;
 }
 
-QString StudyTable::nameOf(const Cell& cell) const {
-    int row = 0;
-    while (rowName(row) != cell.first) {
-        ++row;
-    }
-    return text(row, Name, false);
-}
-
 QStringList StudyTable::rejectedNames() const {
     QStringList names;
-    for (const Cell& cell : rejectedCells()) {
-        names << nameOf(cell);
+    for (int row = 0; row < rowCount(); ++row) {
+        for (const Cell& cell : rejectedCells()) {
+            if (cell.first == rowName(row)) {
+                names << text(row, Name, false);
+            }
+        }
     }
     return names;
 }
 
 QString StudyTable::rejectedText(const Cell& cell, const Rejected& rejected) const {
-    return nameOf(cell) + QStringLiteral(": ") + rejected.why;
+    for (int row = 0; row < rowCount(); ++row) {
+        if (rowName(row) == cell.first) {
+            return text(row, Name, false) + QStringLiteral(": ") + rejected.why;
+        }
+    }
+    return rejected.why;
 }
 
 ScatterTable::ScatterTable(StudyModel* model, QObject* parent)

@@ -36,8 +36,6 @@ class StudyTable : public EditableTable {
     StudyModel* model_;
 
   private:
-    /// Of the row of a cell that is there.
-    QString nameOf(const Cell& cell) const;
     QString rejectedText(const Cell& cell, const Rejected& rejected) const override;
 
     QStringList headings_;

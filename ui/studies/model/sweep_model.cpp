@@ -11,8 +11,10 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/key_units.h"
+#include "model/scene_model.h"
 #include "scenes/scenes.h"
 #include "studies/model/part_numbers.h"
+#include "studies/model/solved_once.h"
 #include "studies/model/study_model.h"
 #include "studies/study_run.h"
 
@@ -21,6 +23,8 @@ namespace ravnoves {
 namespace {
 
 constexpr int places = 121;
+constexpr int coarsest = 8;  ///< every so many of them first
+static_assert((places - 1) % coarsest == 0);
 constexpr int sweepRestMs = 200;
 
 constexpr double unsolved = std::numeric_limits<double>::quiet_NaN();
@@ -112,9 +116,11 @@ std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, doub
     return best;
 }
 
+/// @param show  is given the results so far, from coarse to fine
 /// @return nothing where it was stopped
-std::optional<Sweep> computed(const studies::Problem& problem,
-                              const BackgroundJob::Progress& keepGoing) {
+std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
+                              const BackgroundJob::Progress& keepGoing,
+                              const std::function<void(const Sweep&)>& show) {
     constexpr int rounds = 3;  // each a tenth as wide
     constexpr int finer = 21;
     const double from = problem.study.vary[0].from;
@@ -123,11 +129,21 @@ std::optional<Sweep> computed(const studies::Problem& problem,
     studies::Progress progress(keepGoing, samples.size() * (places + rounds * finer));
     // One core stays free for the window.
     Responses responses(std::max(2U, std::thread::hardware_concurrency()) - 1);
-    Sweep sweep{.input = problem.study.vary[0].pointer,
-                .result = problem.study.watch[0].pointer,
-                .nominalResult = problem.nominal_result.front()};
-    sweep.places =
-        placesAt(studies::spaced(from, to, places), problem, samples, responses, progress);
+    sweep.nominalResult = problem.nominal_result.front();
+    const std::vector<double> all = studies::spaced(from, to, places);
+    for (int step = coarsest; step > 0 && !progress.is_stopped(); step /= 2) {
+        std::vector<double> values;
+        const bool isFirst = step == coarsest;
+        for (int i = isFirst ? 0 : step; i < places; i += isFirst ? step : 2 * step) {
+            values.push_back(all[static_cast<std::size_t>(i)]);
+        }
+        std::ranges::move(placesAt(values, problem, samples, responses, progress),
+                          std::back_inserter(sweep.places));
+        std::ranges::sort(sweep.places, {}, &Sweep::Place::x);
+        if (!progress.is_stopped()) {
+            show(sweep);
+        }
+    }
     double maximum = 0.0;
     for (const Sweep::Place& place : sweep.places) {
         maximum = std::max(maximum, place.built);
@@ -172,6 +188,19 @@ std::vector<const StudyModel::Input*> SweepModel::inputs() const {
     return inputs;
 }
 
+namespace {
+
+/// Half of what the input's tolerance allows, 0 without one.
+double halfOf(const StudyModel::Input& input) {
+    if (!input.varied || input.varied->spread == studies::Varied::Spread::grid) {
+        return 0.0;
+    }
+    const studies::Law law = studies::law_of(*input.varied, input.value);
+    return 0.5 * (law.high - law.low);
+}
+
+}  // namespace
+
 std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
     const StudyModel::Input* input = study_->input(choice_.input);
     if (input == nullptr) {
@@ -179,7 +208,7 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
     }
     constexpr double part = 0.1;
     const double nominal = input->value;
-    const double half = input->half();
+    const double half = halfOf(*input);
     const double reach = half > 0.0 ? half : nominal != 0.0 ? part * std::abs(nominal) : 1.0;
     const bool turns = half == 0.0 && unit_at(choice_.input) == units::degree;
     const Range range = study_->rangeOf(choice_.input);
@@ -189,29 +218,35 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
 
 void SweepModel::setWatched(bool watched) {
     watched_ = watched;
-    if (watched && !sweep_ && !job_->isRunning()) {
+    if (watched && (stale_ || !sweep_) && !isBusy()) {
         start();
     }
 }
 
-studies::Study SweepModel::wantedNow() const {
+SweepModel::Wanted SweepModel::wantedNow() const {
     const StudyModel::Input* swept = study_->input(choice_.input);
     if (swept == nullptr || choice_.result.empty()) {
         return {};
     }
     const Ends usual = *usualEnds();
-    studies::Study wanted{.vary = {{.pointer = choice_.input,
-                                    .spread = studies::Varied::Spread::uniform,
-                                    .from = choice_.from.value_or(usual.first),
-                                    .to = choice_.to.value_or(usual.second)}},
-                          .watch = {{.pointer = choice_.result}},
-                          .seed = study_->study().seed};
+    SceneModel& scene = *study_->scene();
+    Wanted wanted{.sweep = {.input = choice_.input,
+                            .result = choice_.result,
+                            .nominal = swept->value,
+                            .half = halfOf(*swept)},
+                  .study = {.vary = {{.pointer = choice_.input,
+                                      .spread = studies::Varied::Spread::uniform,
+                                      .from = choice_.from.value_or(usual.first),
+                                      .to = choice_.to.value_or(usual.second)}},
+                            .watch = {{.pointer = choice_.result}},
+                            .seed = study_->study().seed},
+                  .solution = scene.solutions()};
     for (const StudyModel::Input& input : study_->inputs()) {
-        if (&input != swept && !input.isMissing && input.half() > 0.0) {
-            wanted.vary.push_back(*input.varied);
+        if (&input != swept && !input.isMissing && halfOf(input) > 0.0) {
+            wanted.study.vary.push_back(*input.varied);
         }
     }
-    watchFeasible(wanted, *study_->scene());
+    watchFeasible(wanted.study, scene);
     return wanted;
 }
 
@@ -227,14 +262,13 @@ void SweepModel::follow() {
         std::ranges::find(watch, choice_.result, &studies::Watched::pointer) == watch.end()) {
         choice_.result = watch.front().pointer;
     }
-    studies::Study wanted = wantedNow();
-    const int solution = study_->scene()->solutions();
-    if (wanted != wanted_ || solution != solution_) {
+    Wanted wanted = wantedNow();
+    if (wanted != wanted_) {
         wanted_ = std::move(wanted);
-        solution_ = solution;
-        sweep_.reset();
+        stale_ = true;
+        partial_ = false;
         job_->cancel();  // what it finds is of what was before
-        const auto& vary = wanted_.vary;
+        const auto& vary = wanted_.study.vary;
         const bool isEmpty = !vary.empty() && !(vary.front().from < vary.front().to);
         trouble_ = isEmpty ? tr("“From” must be less than “to”.") : QString();
         start();
@@ -243,25 +277,36 @@ void SweepModel::follow() {
 }
 
 void SweepModel::start() {
-    if (!watched_ || wanted_.vary.empty() || !trouble_.isEmpty()) {
+    if (!watched_ || wanted_.study.vary.empty() || !trouble_.isEmpty()) {
         return;
     }
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    scene.giveDefaults(file.input, {choice_.input});
-    file.study = studies::write_study(wanted_);
-    job_->start([this, file = std::move(file), context = scene.context()](
+    scene.giveDefaults(file.input, {wanted_.sweep.input});
+    file.study = studies::write_study(wanted_.study);
+    job_->start([this, job = job_, sweep = wanted_.sweep, file = std::move(file),
+                 context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const auto found = computed(studies::problem_of(file, context), progress);
+        const studies::Problem problem = studies::problem_of(file, context);
+        auto found = solvedOnce<Sweep>(problem, 1, [&] {
+            return computed(sweep, problem, progress, [this, job](const Sweep& soFar) {
+                job->tellSoFar([this, soFar] { show(soFar, true); });
+            });
+        });
         if (!found) {
             return {};
         }
-        return [this, found] {
-            sweep_ = found;
-            trouble_.clear();
-            Q_EMIT changed();
-        };
+        found->half = sweep.half;  // which the problem does not have
+        return [this, found = std::move(*found)] { show(found, false); };
     });
+}
+
+void SweepModel::show(const Sweep& sweep, bool isPartial) {
+    sweep_ = sweep;
+    partial_ = isPartial;
+    stale_ = isPartial;
+    trouble_.clear();
+    Q_EMIT changed();
 }
 
 void SweepModel::takeBest() {

@@ -25,17 +25,21 @@ struct Sweep {
         double size = 0.0;      ///< 95 % of the amount, |…|
         double built = 0.0;     ///< share of the samples that are solved and feasible
         double rejected = 0.0;  ///< share of the samples that are not solved
+        bool operator==(const Place&) const = default;
     };
     /// The minimum share of feasible samples at the best place.
     static constexpr double minBuilt = 0.95;
 
     std::string input;  ///< pointers
     std::string result;
+    double nominal = 0.0;
+    double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
     std::vector<Place> places = {};
     /// Where the 95 % amount is smallest, with `minBuilt` of the samples feasible, or the largest
     /// share; between the places.
     std::optional<Place> best = {};
+    bool operator==(const Sweep&) const = default;
 };
 
 /// Computes sweeps of the study's case in the background while someone looks.
@@ -46,6 +50,7 @@ class SweepModel : public QObject {
     explicit SweepModel(StudyModel* study, QObject* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
+    bool isBusy() const { return job_->isRunning(); }
     // Pointers.
     const std::string& input() const { return choice_.input; }
     const std::string& result() const { return choice_.result; }
@@ -62,8 +67,12 @@ class SweepModel : public QObject {
     /// Begins while someone looks; what has begun comes to its end.
     void setWatched(bool watched);
 
-    /// Of the present case and choice; null until it is computed.
+    /// The latest sweep, whole or partial; null before any.
     const Sweep* sweep() const { return sweep_ ? &*sweep_ : nullptr; }
+    /// Newer numbers are on the way, or should be.
+    bool isStale() const { return stale_; }
+    /// It has the places so far, the others are on the way.
+    bool isPartial() const { return partial_; }
     QString trouble() const { return trouble_; }
     /// Sets the input to the best place, as one step of the history.
     void takeBest();
@@ -72,17 +81,25 @@ class SweepModel : public QObject {
     void changed();
 
   private:
-    /// First the input that is swept; varies nothing where no sweep can be made.
-    studies::Study wantedNow() const;
+    /// What a sweep is made of.
+    struct Wanted {
+        Sweep sweep = {};
+        studies::Study study = {};  ///< varies nothing where no sweep can be made
+        int solution = -1;          ///< of the scene
+        bool operator==(const Wanted&) const = default;
+    };
+    Wanted wantedNow() const;
     void start();
+    void show(const Sweep& sweep, bool isPartial);
 
     StudyModel* study_;
     BackgroundJob* job_;
     SweepChoice choice_;
-    studies::Study wanted_;
-    int solution_ = -1;  ///< of the scene
+    Wanted wanted_;
     std::optional<Sweep> sweep_;
     QString trouble_;
+    bool stale_ = false;
+    bool partial_ = false;
     bool watched_ = false;
 };
 
