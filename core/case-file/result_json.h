@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "case-file/json_fwd.h"
+#include "case-file/json.h"
 #include "case-file/result_visitor.h"
 
 namespace ravnoves {

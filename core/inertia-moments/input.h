@@ -115,7 +115,7 @@ struct Input {
     /// kg at the radius R, of one cylinder: a crankpin that two rods share carries it twice. With a
     /// rod: without any share of the rod.
     double rotating_mass = 0.0;
-    /// The mass above is given for each throw (throws.h); its rods share it out.
+    /// The mass above is given for each throw (rods.h); its rods share it out.
     bool rotating_mass_of_throw = false;
     double reference_position = 0.0;  ///< z of the point that moments refer to, m
     std::vector<Cylinder> cylinders;  ///< where there is no layout

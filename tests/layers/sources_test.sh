@@ -95,13 +95,13 @@ check_folders_apart() {
         done
     done
 }
-# A folder of core with a solver.h is a scene.
+# A folder of core with a solver.cpp is a scene.
 scenes=()
-for file in core/*/solver.h; do
-    file=${file%/solver.h}
+for file in core/*/solver.cpp; do
+    file=${file%/solver.cpp}
     scenes+=("${file#core/}")
 done
-[ ${#scenes[@]} -gt 2 ] || fault "the scenes could not be found: ${scenes[*]}"
+[ ${#scenes[@]} -eq 6 ] || fault "the scenes could not be found: ${scenes[*]}"
 for ground in case-file numerics drawing bibliography shop; do
     check_folders_apart "core/$ground" "${scenes[@]}" methods scenes
 done

@@ -2,7 +2,7 @@
 //   long-use [SHARE]   SHARE of the whole, 0.01…1
 // 10⁵ moves of sliders, 10³ cases opened and closed, an hour of animation by a clock that is wound
 // by hand. Memory is counted at each fifth of each; where more is in use at the end than after the
-// first, beyond the bound, the program ends with status 1.
+// first, beyond what is allowed, the program ends with status 1.
 
 #include <malloc.h>
 #include <unistd.h>
@@ -34,7 +34,7 @@ namespace {
 using namespace Qt::StringLiterals;
 using namespace ravnoves;
 
-constexpr double bound = 1.0;  ///< MiB in use that a part may add after its first fifth
+constexpr double allowed = 1.0;  ///< MiB in use that a part may add after its first fifth
 constexpr double mebibyte = 1024.0 * 1024.0;
 
 /// What the program holds, MiB: blocks in use, and the machine's memory with what lies between
@@ -73,7 +73,7 @@ bool flat(const char* what, int times, const std::function<void(int)>& once) {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
     found.push_back(memory());
-    const bool isFlat = found.back().used - found.front().used <= bound;
+    const bool isFlat = found.back().used - found.front().used <= allowed;
     std::printf("%-34s %7d times %7.1f s   MiB in use", what, times,
                 1e-3 * static_cast<double>(clock.elapsed()));
     for (const Memory& each : found) {
@@ -197,6 +197,6 @@ int main(int argc, char** argv) {
                            QApplication::processEvents();
                        });
     }
-    std::printf("%s: at most %.0f MiB in each part\n", isFlat ? "flat" : "GROWS", bound);
+    std::printf("%s: at most %.0f MiB in each part\n", isFlat ? "flat" : "GROWS", allowed);
     return isFlat ? 0 : 1;
 }
