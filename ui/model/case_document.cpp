@@ -219,9 +219,7 @@ void CaseDocument::restore(const CaseFile& file, const RecoveredCase& from) {
 
 QString CaseDocument::reload() {
     if (const FileOnDisk* file = changedFile(); file != nullptr && !isOwn(file)) {
-        for (FileOnDisk& each : sources_) {
-            each.check();
-        }
+        checkFiles();
         try {
             model_->loadInput(model_->inputJson(), model_->context());
         } catch (const InputError& error) {

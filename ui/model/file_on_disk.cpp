@@ -34,9 +34,9 @@ QByteArray FileOnDisk::digestOf(std::string_view content) {
     return hash.result();
 }
 
-bool FileOnDisk::setPath(const QString& path, const QByteArray& known) {
+bool FileOnDisk::setPath(const QString& path, const std::optional<QByteArray>& known) {
     path_ = path;
-    known_ = known.isEmpty() && !path.isEmpty() ? digestNow(path) : known;
+    known_ = known || path.isEmpty() ? known.value_or(QByteArray()) : digestNow(path);
     return check();
 }
 

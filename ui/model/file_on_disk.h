@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <optional>
 #include <string_view>
 
 namespace ravnoves {
@@ -13,10 +14,10 @@ class FileOnDisk {
     enum class State { Same, Changed, Missing };
 
     /// The file was read or written. Empty: no file.
-    /// @param known  digest of these contents, which others may have changed since; empty: of the
-    ///               present ones
+    /// @param known  digest of these contents, which others may have changed since, empty of a file
+    ///               that was missing; without one: of the present contents
     /// @return as check()
-    bool setPath(const QString& path, const QByteArray& known = {});
+    bool setPath(const QString& path, const std::optional<QByteArray>& known = std::nullopt);
     static QByteArray digestOf(std::string_view content);
     const QString& path() const { return path_; }
     /// Of the known content; empty without one.

@@ -180,6 +180,20 @@ TEST_F(RecoveryTest, WhatWasChangedSinceTheCrashIsSaid) {
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
 }
 
+TEST_F(RecoveryTest, AFileAtTheNameOfADeletedOneIsAnother) {
+    ASSERT_EQ(document.saveTo(file("a.case.json")), QString());
+    ASSERT_TRUE(QFile::remove(file("a.case.json")));
+    document.checkFiles();
+    document.keepMine();
+    RecoveredCase from;
+    from.path = file("a.case.json");
+    from.known = document.disk().digest();
+    test::RootModel other;
+    ASSERT_EQ(CaseDocument(&other).saveTo(file("a.case.json")), QString());
+    document.restore(document.model()->caseFile(), from);
+    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
+}
+
 TEST_F(RecoveryTest, ACaseOfANewerProgramIsLeftToIt) {
     Recovery::leave(model.caseFile(), {}, keptIn());
     const QString path = QDir(keptIn()).filePath(kept().constFirst());
