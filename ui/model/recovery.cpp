@@ -108,6 +108,7 @@ void Recovery::watch(CaseDocument* document) {
     };
     connect(document->model(), &SceneModel::changed, timer, later);
     connect(document->model(), &SceneModel::historyChanged, timer, later);
+    connect(document->model(), &SceneModel::rejectedInChanged, timer, later);
     connect(document, &CaseDocument::nameChanged, timer, [this, document, later] {
         if (document->needsSaving()) {
             later();
@@ -135,8 +136,10 @@ bool Recovery::keep(CaseDocument* document) {
         return false;
     };
     try {
+        CaseFile file = document->model()->caseFile();
+        document->model()->leaveOutRejected(file.input);
         const std::string text =
-            textOf({{"case", write_case(document->model()->caseFile())},
+            textOf({{"case", write_case(file)},
                     {"path", document->path().toStdString()},
                     {"known", document->disk().digest().toHex().toStdString()},
                     {"directory", document->model()->context().directory.string()},

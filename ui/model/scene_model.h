@@ -101,8 +101,12 @@ class SceneModel : public QObject {
     virtual bool isOutdated() const { return hasRejected(); }
     /// Whether nothing may be done by the values before them: a saved case does not have them.
     virtual bool leavesOutRejected() const { return false; }
-    /// Removes them then, as a step of the history. @return why they cannot go; else empty
-    virtual QString leaveOutRejected() { return {}; }
+    /// Removes them then, as a step of the history.
+    virtual void leaveOutRejected() {}
+    /// The same in a copy of the input.
+    virtual void leaveOutRejected(Json& /*input*/) const {}
+    /// Names those that cannot be left out: nothing can be saved before they are corrected.
+    virtual QString mustBeCorrected() const { return {}; }
     /// Why nothing may be done by the answer, as the first line of a copy; empty where it may.
     virtual QString stopText() const { return {}; }
     /// The variant that the case is seen against.
@@ -234,8 +238,11 @@ class SceneModel : public QObject {
     /// @return why it cannot be saved; else empty
     QString keepForSaving() {
         finishDrag();
-        QString why = leaveOutRejected();
-        Q_EMIT typedKept();
+        QString why = mustBeCorrected();
+        if (why.isEmpty()) {
+            leaveOutRejected();
+            Q_EMIT typedKept();
+        }
         return why;
     }
     bool hasChanges() const { return !history_.isClean(); }

@@ -98,16 +98,35 @@ QStringList rejectedInputs(const QWidget* part, const Retold& retold) {
 }
 
 QString rejectedWords(const QWidget* part) {
-    const QStringList rejected = rejectedEntries(part);
-    if (rejected.isEmpty()) {
-        return {};
-    }
     const SceneModel* model = modelOf(pageOf(part));
-    return (model != nullptr && model->leavesOutRejected()
-                ? RejectedEntries::tr("These entries were not accepted and are left out:")
-                : RejectedEntries::tr(
-                      "These entries were not accepted; the previous values are used:")) +
-           QStringLiteral("\n\n") + rejected.join(QLatin1Char('\n'));
+    const bool leavesOut = model != nullptr && model->leavesOutRejected();
+    const QStringList leftOut = leavesOut ? rejectedInputs(part) : QStringList();
+    QStringList replaced = rejectedEntries(part);
+    for (const QString& each : leftOut) {
+        replaced.removeOne(each);
+    }
+    QStringList said;
+    if (!leftOut.isEmpty()) {
+        said << RejectedEntries::tr("These entries were not accepted and are left out:")
+             << leftOut.join(QLatin1Char('\n'));
+    }
+    if (!replaced.isEmpty()) {
+        said << RejectedEntries::tr(
+                    "These entries were not accepted; the previous values are used:")
+             << replaced.join(QLatin1Char('\n'));
+    }
+    return said.join(QStringLiteral("\n\n"));
+}
+
+bool mayBeSaved(QWidget* part, const QString& title, const QString& name) {
+    const QString why = modelOf(pageOf(part))->mustBeCorrected();
+    if (why.isEmpty()) {
+        return true;
+    }
+    QMessageBox::warning(part->window(), title,
+                         name.isEmpty() ? why : name + QStringLiteral("\n\n") + why);
+    showRejected(pageOf(part));
+    return false;
 }
 
 bool continueWithoutRejected(QWidget* part, const QString& title, const QString& name) {

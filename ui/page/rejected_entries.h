@@ -20,6 +20,9 @@ QStringList rejectedInputs(const QWidget* part, const Retold& retold = {});
 /// The same as a paragraph for a question; empty where nothing is rejected.
 QString rejectedWords(const QWidget* part);
 
+/// False where rejected entries must be corrected before a case can be saved: it names them and
+/// shows the first.
+bool mayBeSaved(QWidget* part, const QString& title, const QString& name = {});
 /// Names those rejected entries and that the values before them are used. Where the user stays, the
 /// first of them is shown.
 /// @param title  of the action

@@ -162,7 +162,8 @@ bool Documents::save(OpenDocument& document) {
         const auto inPlace = document.page->saveInPlace();
         return inPlace ? *inPlace : saveAs(document);
     }
-    if (!continueWithoutRejected(document.page, tr("Save case"))) {
+    if (!mayBeSaved(document.page, tr("Save case")) ||
+        !continueWithoutRejected(document.page, tr("Save case"))) {
         return false;
     }
     document.document->checkFiles();
@@ -176,7 +177,8 @@ bool Documents::save(OpenDocument& document) {
 }
 
 bool Documents::saveAs(OpenDocument& document) {
-    return continueWithoutRejected(document.page, tr("Save case")) && chooseAndSave(document);
+    return mayBeSaved(document.page, tr("Save case")) &&
+           continueWithoutRejected(document.page, tr("Save case")) && chooseAndSave(document);
 }
 
 bool Documents::chooseAndSave(OpenDocument& document) {

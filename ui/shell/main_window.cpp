@@ -110,16 +110,14 @@ MainWindow::~MainWindow() {
 bool MainWindow::mayRenew(const QString& title) {
     const auto& documents = documents_->all();
     if (!std::ranges::all_of(documents, [&](const auto& each) {
-            return continueWithoutRejected(each->page, title, documents_->nameOf(*each));
+            const QString name = documents_->nameOf(*each);
+            return mayBeSaved(each->page, title, name) &&
+                   continueWithoutRejected(each->page, title, name);
         })) {
         return false;
     }
     for (const auto& each : documents) {
-        // A page that is made again does not know them.
-        if (const QString why = each->page->model()->leaveOutRejected(); !why.isEmpty()) {
-            QMessageBox::warning(this, title, why);
-            return false;
-        }
+        each->page->model()->leaveOutRejected();  // a page that is made again does not know them
     }
     return true;
 }

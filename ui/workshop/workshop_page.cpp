@@ -457,7 +457,7 @@ std::optional<bool> WorkshopPage::askToSave() {
     box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
     const int answer = box.exec();
     if (answer == QMessageBox::Save) {
-        return store(true);
+        return mayBeSaved(this, tr("Unsaved job")) && store(true);
     }
     return answer == QMessageBox::Discard;
 }
@@ -511,7 +511,7 @@ Paper WorkshopPage::card() {
 }
 
 bool WorkshopPage::saveJob(bool isFinished) {
-    return rejectedEntriesAreKnown() && store(isFinished);
+    return mayBeSaved(this, tr("Journal")) && rejectedEntriesAreKnown() && store(isFinished);
 }
 
 bool WorkshopPage::store(bool isFinished) {

@@ -1104,16 +1104,14 @@ TEST_F(ReadJobTest, NothingIsSavedBesideARejectedEntryWhoseValueCannotBeBlank) {
         EXPECT_TRUE(has(document.saveTo(path), name));
         EXPECT_FALSE(QFile::exists(path));
         const auto said = std::make_shared<QString>();
-        whenModal<QMessageBox>([said](QMessageBox* box) {
-            box->button(QMessageBox::Ignore)->click();
-            whenModal<QMessageBox>([said](QMessageBox* why) {
-                *said = why->text();
-                why->accept();
-            });
+        whenModal<QMessageBox>([said](QMessageBox* why) {
+            *said = why->text();
+            why->accept();
         });
         save();
         EXPECT_TRUE(has(*said, name));
         EXPECT_EQ(jobs().size(), 0);
+        EXPECT_TRUE(find<EntryField>(entry)->isVisible()) << "to be corrected";
         type(entry, good);
     }
     EXPECT_EQ(document.saveTo(path), QString());
@@ -1135,6 +1133,23 @@ TEST_F(ReadJobTest, AJobIsSavedWithoutTheValueBeforeARejectedEntry) {
     EXPECT_TRUE(has(*asked, u"are left out"_s)) << "also once it is saved";
     EXPECT_EQ(field("unbalance_2")->text(), u"1450"_s) << "the other reading";
     EXPECT_EQ(rowsOf("Holes and slugs"), 0);
+}
+
+TEST_F(ReadJobTest, WhatNoResultNeedsIsSavedAsBefore) {
+    type("engine_number", u"54"_s);
+    type("date", u"2026-13-45"_s);
+    const QString said = saveAnd(u"Continue"_s);
+    EXPECT_TRUE(has(said, u"the previous values are used"_s));
+    EXPECT_FALSE(has(said, u"are left out"_s));
+    EXPECT_EQ(jobs().size(), 1);
+}
+
+TEST_F(ReadJobTest, ACopyForACrashHasNoValueFromBeforeARejectedEntry) {
+    type("unbalance_1", u"1,450"_s);
+    CaseFile copy = model->caseFile();
+    model->leaveOutRejected(copy.input);
+    EXPECT_FALSE(copy.input.at("correction").at("readings")[0].contains("unbalance_g_mm"));
+    EXPECT_EQ(copy.input.at("correction").at("readings")[1].at("unbalance_g_mm"), 1450);
 }
 
 TEST_F(JobPageTest, NoResultIsOutdatedWhereThereIsNone) {

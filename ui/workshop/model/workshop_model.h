@@ -105,7 +105,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// The answer is of the values before them.
     bool isOutdated() const override { return !rejected_.isEmpty() && hasAnswer(); }
     bool leavesOutRejected() const override { return true; }
-    QString leaveOutRejected() override;
+    void leaveOutRejected() override;
+    void leaveOutRejected(Json& input) const override;
+    QString mustBeCorrected() const override;
     QString stopText() const override;
     /// The job without an answer, as a doubt would stop it: nothing can be set or drilled by the
     /// values before rejected entries. These values are left out.
