@@ -52,7 +52,6 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
         if (made.from_depth > 0.0) {
             const Removed shallow = cut.removed(hole.diameter, made.from_depth);
             removed = {removed.mass - shallow.mass, removed.unbalance - shallow.unbalance};
-            made.mass_before = shallow.mass;
         }
         const double lever =
             radius > 0.0 && removed.mass > 0.0 ? removed.unbalance / removed.mass : radius;

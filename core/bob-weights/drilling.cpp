@@ -621,8 +621,8 @@ class Deepener {
                 Hole hole = all_[i].hole;
                 hole.from_depth = hole.depth;
                 hole.depth = depth_of(all_[i], depths[i]);
-                hole.mass_before = cut_.removed(hole.diameter, hole.from_depth).mass;
-                hole.mass = cut_.removed(hole.diameter, hole.depth).mass - hole.mass_before;
+                hole.mass = cut_.removed(hole.diameter, hole.depth).mass -
+                            cut_.removed(hole.diameter, hole.from_depth).mass;
                 hole.unbalance = all_[i].taken[depths[i]];
                 list.push_back(hole);
             }

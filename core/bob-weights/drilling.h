@@ -27,9 +27,8 @@ struct Hole {
         friend bool operator==(const Place&, const Place&) = default;
     };
     std::optional<Place> deepens{};
-    double from_depth = 0.0;   ///< m
-    double mass_before = 0.0;  ///< that the hole had taken off to there, kg
-    bool is_axial = false;     ///< a slug parallel to the crankshaft
+    double from_depth = 0.0;  ///< m
+    bool is_axial = false;    ///< a slug parallel to the crankshaft
 
     /// The centrifugal force of the slug, N, at a speed in rad/s: m r ω².
     double slug_force(double speed) const { return slug * slug_radius * speed * speed; }

@@ -103,6 +103,20 @@ void check_planned(const Correction& correction) {
     }
 }
 
+/// Of a job the record counts, which may have been corrected since, and is doubted.
+void check_drilled(const DrillingRecord& record, const std::string& at) {
+    for (std::size_t i = 0; record.drilled && i < record.drilled->size(); ++i) {
+        const DrilledHole& hole = (*record.drilled)[i];
+        if (hole.from_depth != 0.0 && hole.depth <= hole.from_depth) {
+            throw InputError(at + std::string(field::drilled.key) + "/" + std::to_string(i) + "/" +
+                                 std::string(field::drilled_from_depth.key),
+                             {Text::tr("must be less than the depth, %1"),
+                              from_si(field::drilled_depth, hole.depth)},
+                             Number{from_si(field::drilled_from_depth, hole.from_depth)});
+        }
+    }
+}
+
 void check_runs(const Correction& correction, bool is_older) {
     const auto& runs = correction.earlier_runs;
     const std::string place = correction_place + std::string(field::earlier_runs.key);
@@ -110,22 +124,15 @@ void check_runs(const Correction& correction, bool is_older) {
         throw InputError(place, {Text::tr("must be a list of at most %1"), max_runs - 1},
                          Number{static_cast<double>(runs.size())});
     }
+    if (is_older) {
+        check_drilled(correction.record, correction_place);
+    }
     for (std::size_t run = 0; run < runs.size(); ++run) {
         const auto& readings = runs[run].readings;
         const std::string of_run = place + "/" + std::to_string(run) + "/";
         const std::string at = of_run + std::string(field::readings.key);
-        // Of a job the record counts, which may have been corrected since, and is doubted.
-        for (std::size_t i = 0; is_older && runs[run].drilled && i < runs[run].drilled->size();
-             ++i) {
-            const DrilledHole& hole = (*runs[run].drilled)[i];
-            if (hole.from_depth != 0.0 && hole.depth <= hole.from_depth) {
-                throw InputError(of_run + std::string(field::drilled.key) + "/" +
-                                     std::to_string(i) + "/" +
-                                     std::string(field::drilled_from_depth.key),
-                                 {Text::tr("must be less than the depth, %1"),
-                                  from_si(field::drilled_depth, hole.depth)},
-                                 Number{from_si(field::drilled_from_depth, hole.from_depth)});
-            }
+        if (is_older) {
+            check_drilled(runs[run], of_run);
         }
         if (!readings.empty()) {
             check_two(readings.size(), at);

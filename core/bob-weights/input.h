@@ -166,6 +166,13 @@ struct DrillingRecord {
     /// The machine's degrees counted the other way then.
     bool counted_otherwise = false;
 
+    /// Any of the holes is there.
+    bool is_drilled() const {
+        return drilled && std::ranges::any_of(*drilled, [](const DrilledHole& hole) {
+                   return hole.state != HoleState::not_drilled;
+               });
+    }
+
     friend bool operator==(const DrillingRecord&, const DrillingRecord&) = default;
 };
 

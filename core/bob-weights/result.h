@@ -54,7 +54,7 @@ struct RunResult {
     std::optional<double> read_with;
     std::optional<shop::OtherShaft> read_on;
 
-    /// Of an earlier run: the plan for each plane, taken as drilled as planned.
+    /// After it, by the record; of the newest run only where a further one was emptied again.
     std::array<Metal, 2> drilled;
     bool is_recorded = false;  ///< false where the record is unknown, or of another crankshaft
 

@@ -197,7 +197,7 @@ class JobVisit {
                                   other->is_in_other_plane);
                 });
             }
-            if (!is_newest) {
+            if (!is_newest || run.is_drilled()) {
                 visit_holes({"drilled_holes", Text::tr("Drilled hole")}, run.drilled[i].holes,
                             false, false);
                 visit_holes({"drilled_slugs", Text::tr("Pressed-in slug")}, run.drilled[i].slugs,

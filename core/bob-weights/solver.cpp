@@ -144,9 +144,9 @@ Vector vector_of(const RunResult::InPlane& read) {
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
-/// the limit, beyond which it is still, or without one by a tenth of that; by more than 0.35 it is
-/// large. A plane that was to be within the limit, and is, is as meant. Where nothing was drilled,
-/// no more than that of what was there changes.
+/// the limit, or without one by a tenth of that; by more than 0.35 it is large. A plane that was to
+/// be within the limit, and is, is as meant. Where nothing was drilled, no more than that of what
+/// was there changes.
 /// @param drilled  after the run at `since` and before the one after
 std::array<std::optional<OtherEffect>, 2> other_effects(
     const std::vector<RunResult>& runs, std::size_t since, const std::array<Metal, 2>& drilled,
@@ -169,12 +169,11 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
         const bool is_drilled = meant[i] != 0.0;
         const double whole = std::abs(is_drilled ? meant[i] : was);
         const double off = std::abs(is - expected);
-        const bool is_within = is_drilled && std::abs(is) <= limit;
-        const bool is_large =
-            off > std::max(0.35 * whole, limit) && !(is_within && std::abs(expected) <= limit);
-        if (!is_large && (is_within || off <= (permissible ? limit : 0.1 * whole))) {
+        const bool is_as_meant = is_drilled && std::abs(is) <= limit && std::abs(expected) <= limit;
+        if (is_as_meant || off <= (permissible ? limit : 0.1 * whole)) {
             continue;
         }
+        const bool is_large = off > std::max(0.35 * whole, limit);
         const bool is_turned = is_drilled && std::real((is - was) / meant[i]) < -0.5;
         const bool is_grown = std::abs(is) > std::abs(was);
         found[i] = {
@@ -249,22 +248,25 @@ void solve_correction(const Input& input, Result& result) {
         return plan_plane(vector_of(*run.planes[i]), correction.planes[i], correction, limit(i),
                           before[i]);
     };
-    for (std::size_t at = 0; at < correction.earlier_runs.size(); ++at) {
-        const EarlierRun& earlier = correction.earlier_runs[at];
-        add_run(earlier.readings);
+    const auto add_record = [&](const DrillingRecord& record) {
         RunResult& run = result.runs.back();
         // Holes of another crankshaft are not in this one; after readings of another bob weight
         // those alone that were drilled before it changed.
-        if (earlier.drilled && !run.read_on && correction.planes.size() == 2) {
+        if (record.drilled && !run.read_on && correction.planes.size() == 2) {
             run.is_recorded = true;
-            run.drilled = recorded(*earlier.drilled, correction, at, before);
+            run.drilled = recorded(*record.drilled, correction, result.runs.size() - 1, before);
         }
+    };
+    for (const EarlierRun& earlier : correction.earlier_runs) {
+        add_run(earlier.readings);
+        add_record(earlier);
         for (std::size_t i = 0; i < 2; ++i) {
-            join(before[i], run.drilled[i]);
-            join(since[i], run.drilled[i]);
+            join(before[i], result.runs.back().drilled[i]);
+            join(since[i], result.runs.back().drilled[i]);
         }
     }
     add_run(correction.readings);
+    add_record(correction.record);
     if (!places) {
         return;
     }

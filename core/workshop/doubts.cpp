@@ -480,6 +480,28 @@ void incomplete_run(DoubtSearch& job) {
     }
 }
 
+/// What was drilled after the newest run is in no reading: what that run asks for may be there.
+void drilled_unread(DoubtSearch& job) {
+    const auto& correction = job.input.correction;
+    if (!correction || !correction->record.is_drilled() || job.shaft.newest()->read_on) {
+        return;
+    }
+    const std::size_t runs = correction->earlier_runs.size();
+    const std::size_t run = runs - bob_weights::first_run(correction);
+    Doubt& doubt = job.say(
+        run == 0 ? Text::tr("Holes are recorded after “Before”: enter the readings of Run 1, or "
+                            "mark the holes as not drilled.")
+                 : Text::tr("Holes are recorded after Run %1: enter the readings of Run %2, or "
+                            "mark the holes as not drilled."),
+        run, run + 1);
+    for (const auto& [place, hole] : recorded_holes(correction)) {
+        if (!doubt.hole && place.run == runs &&
+            hole->state != bob_weights::HoleState::not_drilled) {
+            doubt.hole = place;
+        }
+    }
+}
+
 /// A hole that was deepened to less than its depth before took off nothing that is known.
 void shallower_hole(DoubtSearch& job) {
     for (const auto& recorded : recorded_holes(job.input.correction)) {
@@ -543,15 +565,25 @@ void drilled_counting_otherwise(DoubtSearch& job) {
     }
 }
 
-/// Where it is not so much that the plan is wrong, a hole of another depth would be drilled twice;
-/// of that the newest run tells.
+/// Whether the plan deepens a hole that a run has shown the effect of.
+bool deepens_before(const DoubtSearch& job, std::size_t run, std::size_t plane) {
+    const auto& planned = job.shaft.correction;
+    return planned && std::ranges::any_of((*planned)[plane].holes, [&](const auto& hole) {
+               return hole.from_depth > 0.0 && hole.deepens->run < run;
+           });
+}
+
+/// Where it is not so much that the plan is wrong, a hole of another depth would be drilled twice:
+/// it matters while the newest run is not within its limit, and before such a hole is deepened.
 template <bool is_large>
 void drilled_otherwise(DoubtSearch& job) {
     for (const std::size_t i : planes) {
         for_other_effects(job, i, [&](std::size_t run, const bob_weights::OtherEffect& other) {
             const bool is_newest = run + 1 == job.shaft.runs.size();
+            const bool matters =
+                (is_newest && job.shaft.runs[run].within(i) != true) || deepens_before(job, run, i);
             if (other.is_large != is_large || other.is_at_light_spot ||
-                (!is_large && !(is_newest && other.is_drilled))) {
+                (!is_large && !(matters && other.is_drilled))) {
                 return;
             }
             const Text text =
@@ -1054,6 +1086,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"great-reading", error, judged, "", great_reading},
         {"service-speed", error, judged, "", service_speed},
         {"bearings", error, judged, "", bearings},
+        {"drilled-unread", error, judged, drilled_act, drilled_unread},
         {"incomplete-run", error, judged, "", incomplete_run},
         {"half-sector", error, judged, "", all_round<true>},
         {"shallower-hole", error, judged, drilled_act, shallower_hole},

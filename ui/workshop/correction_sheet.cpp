@@ -136,6 +136,14 @@ void CorrectionSheet::showWhatIf() {
                          correction->earlier_runs.back().drilled;
     addLateHole_->setVisible(isAgain);
     addLateHole_->setEnabled(isWhole);
+    const auto at = static_cast<std::size_t>(whatIf_.plane);
+    // Which may be the reason for a stop.
+    if (isWhole && correction && at < correction->planes.size() &&
+        correction->planes[at].from_angle.has_value() !=
+            correction->planes[at].to_angle.has_value()) {
+        showOrHide(whatIfLine_, tr("Enter both ends of the drilling sector."));
+        return;
+    }
     const auto left = isWhole && !model_->shown().withheld().holes ? tried() : std::nullopt;
     if (!left) {
         showOrHide(whatIfLine_, {});
@@ -143,10 +151,6 @@ void CorrectionSheet::showWhatIf() {
     }
     const Words words;
     const auto hindrance = [&] {
-        const Plane& plane = correction->planes[static_cast<std::size_t>(whatIf_.plane)];
-        if (plane.from_angle.has_value() != plane.to_angle.has_value()) {
-            return tr("Enter both ends of the drilling sector.");
-        }
         switch (left->room.missing) {
             case NoRoom::beside_hole:
                 return tr("Another hole is too near. Choose another angle.");
@@ -166,10 +170,10 @@ void CorrectionSheet::showWhatIf() {
         showOrHide(whatIfLine_, hindrance);
     } else {
         const QString verdict = verdictText(words, verdictWord(left->within_tolerance, {}));
-        const QString said = tr("%1: residual %2 at %3.")
-                                 .arg(model_->planeName(static_cast<std::size_t>(whatIf_.plane)),
-                                      words.number(left->unbalance, units::gram_mm, 1),
-                                      words.number(left->angle, units::degree, 1));
+        const QString said =
+            tr("%1: residual %2 at %3.")
+                .arg(model_->planeName(at), words.number(left->unbalance, units::gram_mm, 1),
+                     words.number(left->angle, units::degree, 1));
         showOrHide(whatIfLine_, verdict.isEmpty() ? said : said + QLatin1Char(' ') + verdict);
     }
 }

@@ -140,6 +140,15 @@ void MachineSheet::buildPlanes() {
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].from_angle; });
     row("to", planes, field::to_angle,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].to_angle; });
+    for (const auto& column : fields) {
+        // Half a sector is not the whole rim.
+        follow([from = column[column.size() - 2], to = column.last(),
+                rim = column.last()->placeholderText()] {
+            const bool isRim = !from->value() && !to->value();
+            from->setPlaceholderText(isRim ? rim : QString());
+            to->setPlaceholderText(isRim ? rim : QString());
+        });
+    }
     for (const auto& column : fields) {  // Enter goes down the columns, plane by plane
         for (NumberField* field : column) {
             ordered(field);

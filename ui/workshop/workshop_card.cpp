@@ -123,8 +123,9 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
             length(read || isStopped ? read : plane.position),
             plane.from_angle && plane.to_angle
                 ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
-            : isStopped ? none
-                        : words.text(field::from_angle.placeholder),
+            : isStopped || plane.from_angle || plane.to_angle
+                ? none
+                : words.text(field::from_angle.placeholder),
             permissible && !isStopped ? words.number((*permissible)[i], units::gram_mm, 1) : none};
     }
     return block;

@@ -131,6 +131,8 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
           {{"/correction/earlier_runs",
             Json::array({{{"readings", {read(2600, 40), nothing}}, {"drilled", {hole(40, 20)}}}})},
            {"/correction/readings", {read(650, 40), nothing}}}}},
+        // A further run was emptied again.
+        {"drilled-unread", {card, {{"/correction/drilled", Json::array({hole(40)})}}}},
         {"incomplete-run",
          {card,
           {{"/correction/earlier_runs",

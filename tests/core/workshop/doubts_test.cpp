@@ -2,6 +2,7 @@
 
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "case-file/result_json.h"
 #include "doubted_jobs.h"
@@ -12,8 +13,10 @@
 namespace ravnoves::workshop {
 namespace {
 
+using test::at;
 using test::card;
 using test::changed;
+using test::difference;
 using test::doubted;
 using test::eight;
 using test::plugs_card;
@@ -455,6 +458,89 @@ TEST(Doubts, StopBeforeAHoleOfUnknownDepthIsDeepened) {
     EXPECT_EQ(doubts[0].first, "drilled-beside-plan");
     hole["depth_mm"] = 15;
     EXPECT_TRUE(doubts_of(input).empty());
+}
+
+/// The hole at 55° is really 20.7 mm deep.
+Json shallow_record() {
+    Json input = card();
+    input["tolerance"] = {{"g_mm", 150}};
+    Json& correction = input["correction"];
+    for (Json& plane : correction["planes"]) {
+        plane["radius_mm"] = 75;
+    }
+    correction["drill"] = {{"diameters_mm", {8, 10, 12}}, {"maximum_depth_mm", 25}};
+    correction["earlier_runs"] = parse_json(R"([
+        {"readings": [{"unbalance_g_mm": 4500, "angle_deg": 42},
+                      {"unbalance_g_mm": 15, "angle_deg": 190}],
+         "drilled": [{"plane": "front", "diameter_mm": 12, "depth_mm": 19.3, "angle_deg": 19},
+                     {"plane": "front", "diameter_mm": 12, "depth_mm": 21.5, "angle_deg": 34.3},
+                     {"plane": "front", "diameter_mm": 12, "depth_mm": 15, "angle_deg": 55,
+                      "state": "measured"}]},
+        {"readings": [{"unbalance_g_mm": 996, "angle_deg": 62.7},
+                      {"unbalance_g_mm": 15, "angle_deg": 190}],
+         "drilled": [{"plane": "front", "diameter_mm": 12, "depth_mm": 25, "from_depth_mm": 15,
+                      "angle_deg": 55, "state": "not-drilled"},
+                     {"plane": "front", "diameter_mm": 12, "depth_mm": 12, "angle_deg": 70.6,
+                      "state": "measured"}]}])");
+    correction["readings"] = parse_json(R"([{"unbalance_g_mm": 226, "angle_deg": 36},
+                                            {"unbalance_g_mm": 14, "angle_deg": 190}])");
+    return input;
+}
+
+TEST(Doubts, OfAHoleAreKeptUntilItIsDeepened) {
+    const Json input = shallow_record();
+    const auto expect = [](const Json& job, const char* beginning) {
+        const Result result = solve(read_input(job));
+        EXPECT_TRUE(std::ranges::any_of((*result.shaft.correction)[0].holes, [](const auto& hole) {
+            return hole.deepens == bob_weights::Hole::Place{0, 2};
+        }));
+        const auto doubts = doubts_of(job);
+        ASSERT_EQ(doubts.size(), 1U);
+        EXPECT_EQ(doubts[0].first, "drilled-beside-plan");
+        EXPECT_TRUE(doubts[0].second.starts_with(beginning)) << doubts[0].second;
+    };
+    expect(input, "Run 1, Front plane: residual 996.0 g·mm ∠ 62.7°");
+    // Also where that run was within its limit, but not by the record.
+    expect(changed(input, {{"/correction/earlier_runs/0/readings/0/unbalance_g_mm", 3600},
+                           {"/correction/earlier_runs/1/readings/0",
+                            {{"unbalance_g_mm", 140}, {"angle_deg", 50}}},
+                           {"/correction/earlier_runs/1/drilled", Json::array()},
+                           {"/correction/readings/0/angle_deg", 45}}),
+           "Run 1, Front plane: residual 140.0 g·mm ∠ 50.0°");
+    // Nothing is deepened within the limit, and the real depth explains the run.
+    for (const auto& change : {std::pair("/correction/readings/0/unbalance_g_mm", 84.0),
+                               {"/correction/earlier_runs/0/drilled/2/depth_mm", 20.7}}) {
+        EXPECT_TRUE(doubts_of(changed(input, {{change.first, change.second}})).empty())
+            << change.first;
+    }
+}
+
+TEST(Doubts, OfHolesThatNoRunHasRead) {
+    Json input = twice_drilled();
+    Json& correction = input["correction"];
+    EXPECT_TRUE(doubts_of(input).empty());
+    const Json planned = at(solved(input), "/correction/planes/0/holes");
+    const Json hole{{"plane", "front"}, {"diameter_mm", 16}, {"depth_mm", 3}, {"angle_deg", 120}};
+    correction["drilled"] = Json::array({changed(hole, {{"/state", "not-drilled"}}), hole});
+    const Result result = solve(read_input(input));
+    ASSERT_EQ(result.doubts.size(), 1U);
+    EXPECT_EQ(result.doubts[0].text.english(),
+              "Holes are recorded after Run 2: enter the readings of Run 3, or mark the holes as "
+              "not drilled.");
+    EXPECT_EQ(result.doubts[0].hole, (bob_weights::Hole::Place{2, 1}));
+    EXPECT_EQ(at(solved(input), "/correction/runs/2/planes/0/drilled_holes").size(), 1U);
+    // None of them is there: the plan is that of the readings.
+    correction["drilled"][1]["state"] = "not-drilled";
+    EXPECT_TRUE(doubts_of(input).empty());
+    EXPECT_EQ(difference(planned, at(solved(input), "/correction/planes/0/holes")), "");
+    // Drilled before any further run.
+    correction["drilled"][1]["state"] = "wrong-side";
+    correction.erase("earlier_runs");
+    const auto doubts = doubts_of(input);
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_TRUE(
+        doubts[0].second.starts_with("Holes are recorded after “Before”: enter the "
+                                     "readings of Run 1"));
 }
 
 TEST(Doubts, OfHalfASectorNameTheOtherEnd) {

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <numbers>
 
+#include "bob-weights/drilled.h"
 #include "core/workshop/support.h"
 #include "job_page_test.h"
 
@@ -32,6 +33,14 @@ class DrilledTest : public PlugsPageTest {
         for (int step = 0; step < static_cast<int>(word); ++step) {
             keys(name, {Qt::Key_Down});
         }
+    }
+    QStringList shown(const Results& results) const {
+        QStringList rows;
+        for (const ResultRow& row : results.rows) {
+            // Of what is drilled the first cell is the run.
+            rows << row.texts().mid(row.texts().size() - 4).join(u" | "_s);
+        }
+        return rows;
     }
     bool isAsPlannedOffered() {
         const QComboBox* state = find<QComboBox>("drilled_state_1");
@@ -137,21 +146,26 @@ TEST_F(DrilledTest, ADepthTypedOnTheWrongSideIsNotAsPlannedAfterwards) {
     }
 }
 
-TEST_F(DrilledTest, WhatIsTakenOffInTotalIncludesTheDepthBefore) {
-    const auto total = [&](const char* runs) {
+TEST_F(DrilledTest, ADeepeningIsListedWithTheDepthBeforeAndItsOwnMass) {
+    const auto list = [&](const char* runs) {
         Json input = workshop::test::card();
         input["correction"]["earlier_runs"] = parse_json(runs);
         model->loadInput(input, {});
-        return model->drilledResults().rows.constLast().last().text;
+        return model->drilledResults().rows;
     };
-    EXPECT_EQ(total(R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9,
-                                      "angle_deg": 40}]},
-                        {"readings": [{"unbalance_g_mm": 900, "angle_deg": 40},
-                                      {"unbalance_g_mm": 0}],
-                         "drilled": [{"plane": "front", "diameter_mm": 16, "from_depth_mm": 9,
-                                      "depth_mm": 12, "angle_deg": 40}]}])"),
-              total(R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 12,
-                                      "angle_deg": 40}]}])"));
+    const auto twice = list(
+        R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}]},
+            {"readings": [{"unbalance_g_mm": 900, "angle_deg": 40}, {"unbalance_g_mm": 0}],
+             "drilled": [{"plane": "front", "diameter_mm": 16, "from_depth_mm": 9, "depth_mm": 12,
+                          "angle_deg": 40}]}])");
+    ASSERT_EQ(twice.size(), 2);
+    EXPECT_EQ(twice[0].at(2).text, u"9.0"_s);
+    EXPECT_EQ(twice[1].at(2).text, u"9.0 → 12.0"_s);
+    EXPECT_TRUE(has(cardText(), u"9.0 → 12.0"_s));
+    const auto once = list(
+        R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 12, "angle_deg": 40}]}])");
+    EXPECT_NEAR(twice[0].last().text.toDouble() + twice[1].last().text.toDouble(),
+                once[0].last().text.toDouble(), 0.011);
 }
 
 TEST_F(DrilledTest, AHoleInTheOtherPlaneCountsThereAndIsTakenBackInOneStep) {
@@ -236,6 +250,66 @@ TEST_F(DrilledTest, HolesAreOfTheirRunAlsoWhereItsReadingsAreErased) {
     EXPECT_EQ(holes(), u"Before"_s);
 }
 
+TEST_F(DrilledTest, HolesThatNoRunHasReadLeaveNoPlan) {
+    const QStringList holes = shown(model->drilledResults());
+    const auto expectStop = [&] {
+        EXPECT_TRUE(begins(
+            label("verdict"),
+            u"STOP. Holes are recorded after “Before”: enter the readings of Run 1, or mark"_s));
+        EXPECT_TRUE(model->holeResults().rows.isEmpty());
+        EXPECT_EQ(shown(model->drilledResults()), holes);
+        EXPECT_TRUE(has(cardText(), u"Already drilled"_s));
+        EXPECT_TRUE(field("run_1_unbalance_1")->isEnabled());
+    };
+    const QStringList run{u"300"_s, u"40"_s, u"95"_s, u"70"_s};
+    typeRun(1, {{}, {}, {}, {}});
+    EXPECT_EQ(model->newestRun(), 0U);
+    expectStop();
+    model->loadInput(model->inputJson(), {});
+    expectStop();
+    type("diameters_mm", u"12"_s);
+    expectStop();
+    click("verdict_act");
+    EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("drilled_state_1"));
+    typeRun(1, run);
+    EXPECT_EQ(shown(model->drilledResults()), holes);
+    // Where none was drilled, what is planned then is.
+    typeRun(1, {{}, {}, {}, {}});
+    const std::size_t count = model->input().correction->record.drilled->size();
+    for (std::size_t row = 1; row <= count; ++row) {
+        EXPECT_TRUE(model->withheld().holes);
+        choose(("drilled_state_" + std::to_string(row)).c_str(), HoleState::not_drilled);
+    }
+    EXPECT_FALSE(model->withheld().holes);
+    const auto planned = bob_weights::planned_holes(model->solution());
+    ASSERT_TRUE(planned && !planned->empty());
+    EXPECT_EQ(planned->front().diameter, 12 * units::mm);
+    typeRun(1, run);
+    EXPECT_EQ(model->input().correction->earlier_runs.at(0).drilled, planned);
+}
+
+TEST_F(DrilledTest, HolesOfALaterRunAreKeptWhereReadingsAreErased) {
+    const auto asMeasured = [&](std::size_t run) {
+        model->editCorrection({}, [&](bob_weights::Correction& correction) {
+            for (bob_weights::DrilledHole& each : *correction.earlier_runs[run].drilled) {
+                each.state = HoleState::measured;
+            }
+        });
+    };
+    limitTo(150);
+    asMeasured(0);
+    ASSERT_FALSE(model->holeResults().rows.isEmpty()) << qPrintable(label("verdict"));
+    typeRun(2, {u"60"_s, u"10"_s, u"20"_s, u"300"_s});
+    asMeasured(1);
+    const QStringList holes = shown(model->drilledResults());
+    for (const int run : {2, 1}) {
+        typeRun(run, {{}, {}, {}, {}});
+        EXPECT_EQ(model->newestRun(), 1U);
+        EXPECT_EQ(shown(model->drilledResults()), holes);
+        EXPECT_TRUE(begins(label("verdict"), u"STOP. Holes are recorded after Run 1: enter"_s));
+    }
+}
+
 TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     const workshop::Input before = model->input();
     type("what_if_diameter", u"16"_s);
@@ -259,14 +333,23 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     // Of a plane that needs no hole half a sector is no doubt, nor is it the whole rim.
     type("run_1_unbalance_1", u"1"_s);
     type("to_1", {});
-    EXPECT_EQ(label("what_if"), u"Enter both ends of the drilling sector."_s);
+    const QString both = u"Enter both ends of the drilling sector."_s;
+    EXPECT_EQ(label("what_if"), both);
+    EXPECT_EQ(field("to_1")->placeholderText(), QString());
+    EXPECT_FALSE(has(cardText(), u"whole rim"_s));
+    // Also where that is what stops the plan.
+    type("run_1_unbalance_1", u"600"_s);
+    EXPECT_TRUE(model->withheld().holes);
+    EXPECT_EQ(label("what_if"), both);
+    type("from_1", {});
+    EXPECT_EQ(field("to_1")->placeholderText(), u"whole rim"_s);
     // By a job that is stopped nothing is thought of either.
     type("run_1_unbalance_1", u"4900"_s);
     EXPECT_EQ(label("what_if"), QString());
 }
 
 TEST_F(DrilledTest, AHoleThatIsThoughtOfMayDeepenOne) {
-    const DrilledHole& there = hole(0);
+    const bob_weights::DrilledHole& there = hole(0);
     const auto shown = [](double value, const auto& unit) { return QString::number(value / unit); };
     type("what_if_diameter", shown(there.diameter, units::mm));
     type("what_if_depth", shown(there.depth, units::mm));
@@ -283,7 +366,8 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfMayDeepenOne) {
     }
     const double depth = there.depth;
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
-    const DrilledHole& added = model->input().correction->earlier_runs.at(0).drilled->back();
+    const bob_weights::DrilledHole& added =
+        model->input().correction->earlier_runs.at(0).drilled->back();
     EXPECT_NEAR(added.depth, depth + 1 * units::mm, 1e-9);
     EXPECT_EQ(added.from_depth, depth);
 }

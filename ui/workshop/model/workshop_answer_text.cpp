@@ -860,6 +860,13 @@ ResultCell massCell(const Words& words, double mass, bool isSlug) {
                   : words.cell(mass, units::gram, 2);
 }
 
+ResultCell depthCell(const Words& words, const Hole& hole) {
+    return hole.from_depth > 0.0 ? ResultCell(words.translate("BobWeights", "%1 → %2")
+                                                  .arg(words.digits(hole.from_depth, units::mm, 1),
+                                                       words.digits(hole.depth, units::mm, 1)))
+                                 : words.cell(hole.depth, units::mm, 1);
+}
+
 /// Holes that are alike are a row, with the angle of each, as many as a cell has room for.
 void addDrilled(ResultRows& rows, const Words& words, const QString& run, const QString& plane,
                 const std::vector<Hole>& holes, bool isSlug) {
@@ -868,17 +875,17 @@ void addDrilled(ResultRows& rows, const Words& words, const QString& run, const 
         const auto end = first + std::min(maximum, holes.end() - first);
         const auto last = std::find_if(first, end, [&](const Hole& hole) {
             return hole.diameter != first->diameter || hole.depth != first->depth ||
-                   hole.slug != first->slug;
+                   hole.from_depth != first->from_depth || hole.slug != first->slug;
         });
         QStringList angles;
         constexpr double printed = 0.01 * units::gram;  // so that the lines add up to it
         double mass = 0.0;
         for (auto hole = first; hole != last; ++hole) {
             angles << degreesOf(words, hole->angle);
-            mass += std::round((hole->mass + hole->mass_before) / printed) * printed;
+            mass += std::round(hole->mass / printed) * printed;
         }
         rows << ResultRow{run, plane + QStringLiteral(": ") + sizeName(words, isSlug, *first),
-                          words.cell(first->depth, units::mm, 1),
+                          depthCell(words, *first),
                           angles.size() == 1 ? direction(words, first->angle)
                                              : ResultCell(angles.join(QStringLiteral("; "))),
                           massCell(words, mass, isSlug)};
@@ -904,14 +911,8 @@ Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t
     const auto speed = service_speed(input());
     QString before;
     const auto add = [&](const Hole& hole, bool isSlug) {
-        const bool isDeeper = hole.deepens && hole.from_depth > 0.0;
-        results.rows << ResultRow{
-            before + sizeName(words, isSlug, hole),
-            isDeeper ? ResultCell(words.translate("BobWeights", "%1 → %2")
-                                      .arg(words.digits(hole.from_depth, units::mm, 1),
-                                           words.digits(hole.depth, units::mm, 1)))
-                     : words.cell(hole.depth, units::mm, 1),
-            direction(words, hole.angle), massCell(words, hole.mass, isSlug)};
+        results.rows << ResultRow{before + sizeName(words, isSlug, hole), depthCell(words, hole),
+                                  direction(words, hole.angle), massCell(words, hole.mass, isSlug)};
         if (isSlug) {  // more than a line has room for
             QStringList how{words.text(direction_words[hole.is_axial ? 0 : 1].label)};
             if (speed) {
@@ -947,7 +948,7 @@ Results WorkshopModel::drilledResults(const Words& words) const {
     Results results{holeResults(words).columns};
     results.columns.push_front(words.translate("BobWeights", "Run"));
     results.columns.last() =
-        words.translate("BobWeights", "Taken off in total, %1").arg(words.unit(units::gram));
+        words.translate("BobWeights", "Taken off, %1").arg(words.unit(units::gram));
     const auto& runs = solution().runs;
     for (std::size_t run = 0; run < runs.size(); ++run) {
         for (std::size_t i = 0; i < 2; ++i) {

@@ -282,15 +282,19 @@ std::unique_ptr<WorkshopModel> WorkshopModel::stoppedBy(const QString& why) cons
     return stopped;
 }
 
-Job WorkshopModel::withoutRejected() const {
-    Json whole = inputJson();
+void WorkshopModel::leaveOutRejected(Json& input) const {
     for (const std::string& place : rejectedAt_) {
         const Json::json_pointer at(place);
-        if (whole.contains(at)) {
-            Json& parent = whole[at.parent_pointer()];
-            parent.is_array() ? void(whole[at] = nullptr) : void(parent.erase(at.back()));
+        if (input.contains(at)) {
+            Json& parent = input[at.parent_pointer()];
+            parent.is_array() ? void(input[at] = nullptr) : void(parent.erase(at.back()));
         }
     }
+}
+
+Job WorkshopModel::withoutRejected() const {
+    Json whole = inputJson();
+    leaveOutRejected(whole);
     try {
         return WorkshopScene::read(whole, context());
     } catch (const InputError&) {
@@ -298,14 +302,18 @@ Job WorkshopModel::withoutRejected() const {
     }
 }
 
-QString WorkshopModel::leaveOutRejected() {
-    if (std::ssize(rejectedAt_) < rejected_.size()) {
-        return tr("Correct this first, or restore the value with Escape: %1")
-            .arg(rejected_.join(QLatin1Char(' ')));
+QString WorkshopModel::mustBeCorrected() const {
+    return std::ssize(rejectedAt_) == rejected_.size()
+               ? QString()
+               : tr("Correct this first, or restore the value with Escape: %1")
+                     .arg(rejected_.join(QLatin1Char(' ')));
+}
+
+void WorkshopModel::leaveOutRejected() {
+    if (!rejectedAt_.empty()) {
+        edit(tr("Entries not accepted"),
+             [without = withoutRejected()](Job& job) { job = without; });
     }
-    return rejectedAt_.empty() ? QString()
-                               : edit(tr("Entries not accepted"),
-                                      [without = withoutRejected()](Job& job) { job = without; });
 }
 
 const WorkshopModel& WorkshopModel::shown() const {
@@ -548,8 +556,8 @@ bool WorkshopModel::isRunRead() const {
 
 bool WorkshopModel::isPlanned() const {
     const auto plan = planned_holes(solution());
-    return isRunRead() &&
-           ((plan && !plan->empty()) || (input().correction && input().correction->record.drilled));
+    return (isRunRead() && plan && !plan->empty()) ||
+           (input().correction && input().correction->record.is_drilled());
 }
 
 Reading WorkshopModel::reading(std::size_t run, std::size_t plane) const {
@@ -599,10 +607,12 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
                 return;
             }
             EarlierRun& last = earlier.emplace_back();
-            static_cast<DrillingRecord&>(last) = std::exchange(correction.record, {});
-            if (!last.drilled) {
-                last.drilled = planned_holes(solution());
+            // A record of no hole says nothing: the plan that is shown is drilled.
+            if (auto plan = planned_holes(solution()); plan && !correction.record.is_drilled()) {
+                correction.record = {};
+                correction.record.drilled = std::move(plan);
             }
+            static_cast<DrillingRecord&>(last) = std::exchange(correction.record, {});
             last.readings = at_places_of({}, correction.readings);
             for (Reading& newest : correction.readings) {
                 newest = {newest.position, {}, {}, {}, {}};
@@ -615,13 +625,12 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
             (isAngle ? reading.unbalance : reading.angle).reset();  // read again with it
         }
         set(reading);
-        const bool isEmpty = !hasReading(correction);
-        if (isEmpty) {
-            correction.record = {};
-        } else {
-            note(correction.record, before, correction.readings);
+        note(correction.record, before, correction.readings);
+        if (hasReading(correction) || correction.record.is_drilled()) {
+            return;
         }
-        if (isEmpty && earlier.size() > first) {
+        correction.record = {};
+        if (earlier.size() > first) {
             // It may be typed again: what was drilled before it is there.
             correction.record = earlier.back();
             correction.readings = at_places_of(correction.readings, earlier.back().readings);
