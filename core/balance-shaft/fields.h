@@ -434,18 +434,21 @@ inline constexpr Field bar_diameter{
     .range = Range::between(1e-3, 1e5),
     .label = Text::tr("&Diameter D"),
     .symbol = "D",
-    .hint = Text::tr("Diameter of the round bar; also the swing circle of the shaft.")};
+    .hint = Text::tr("Diameter of the round bar; also the swing circle of the shaft."),
+    .placeholder = Text::tr("auto")};
 inline constexpr Field relief_depth{
     .key = "depth_mm",
     .range = Range::between(1e-6, 1e5),
     .label = Text::tr("Depth &h"),
     .symbol = "h",
-    .hint = Text::tr("Depth of the milled segment, from the bar's surface.")};
+    .hint = Text::tr("Depth of the milled segment, from the bar's surface."),
+    .placeholder = Text::tr("auto")};
 inline constexpr Field relief_length{.key = "length_mm",
                                      .range = Range::between(1e-3, 1e5),
                                      .label = Text::tr("&Length b"),
                                      .symbol = "b",
-                                     .hint = Text::tr("Length of the milled segment.")};
+                                     .hint = Text::tr("Length of the milled segment."),
+                                     .placeholder = Text::tr("auto")};
 inline constexpr Field density{
     .key = "density_kg_m3",
     .range = Range::between(100, 30000),

@@ -293,8 +293,8 @@
         <translation>Масса на радиусе сверления</translation>
     </message>
     <message>
-        <source>Taken off in total, %1</source>
-        <translation>Снято всего, %1</translation>
+        <source>Taken off, %1</source>
+        <translation>Снято, %1</translation>
     </message>
     <message>
         <source>Older holes</source>
@@ -9193,6 +9193,14 @@
         <translation>%1: введите дисбаланс.</translation>
     </message>
     <message>
+        <source>Holes are recorded after “Before”: enter the readings of Run 1, or mark the holes as not drilled.</source>
+        <translation>После пуска «Исходно» записаны отверстия: введите показания пуска 1 или отметьте отверстия как непросверленные.</translation>
+    </message>
+    <message>
+        <source>Holes are recorded after Run %1: enter the readings of Run %2, or mark the holes as not drilled.</source>
+        <translation>После пуска %1 записаны отверстия: введите показания пуска %2 или отметьте отверстия как непросверленные.</translation>
+    </message>
+    <message>
         <source>%1: the hole of ⌀ %2 at %3 is %4 deep after deepening, which is not deeper than before. Correct its depth.</source>
         <translation>%1: отверстие ⌀ %2 на %3 после углубления имеет глубину %4, то есть не глубже прежнего. Исправьте его глубину.</translation>
     </message>
@@ -16447,6 +16455,10 @@ but at this l no α is feasible</source>
     <message>
         <source>Not pasted: %1</source>
         <translation>Не вставлено: %1</translation>
+    </message>
+    <message>
+        <source>Paste (Ctrl+V)</source>
+        <translation>Вставить (Ctrl+V)</translation>
     </message>
     <message>
         <source>Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a spreadsheet, or type.</source>

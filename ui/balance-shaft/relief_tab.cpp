@@ -217,6 +217,7 @@ void ShaftTabs::addReliefSizes(Form* form) {
             change(*input.relieved_shaft);
         });
     };
+    const int wide = Theme::withText(116);  // "auto 29.3344"
     for (const ReliefSize& size : reliefSizes) {
         NumberField* number = form->number(
             size.field, [given, &size] { return given().*size.given; },
@@ -224,22 +225,25 @@ void ShaftTabs::addReliefSizes(Form* form) {
                 set(size.field, [&](RelievedShaftSizes& next) { next.*size.given = value; });
             });
         number->setDigits(6);  // a size that was found has more than fit
+        number->setFixedWidth(wide);
         // Two of the three are given: none of the two can be left blank.
         form->follow([given, number, &size] {
             const RelievedShaftSizes sizes = given();
             number->setOptional(!(sizes.*size.given) ||
                                 (sizes.diameter && sizes.depth && sizes.length));
         });
-        showAssumed(form, number, [this, &size] {
+        const auto found = [this, &size] {
             const double metres = model_->result().relieved_shaft.*size.found;
             return metres > 0.0 ? std::optional(metres / units::mm) : std::nullopt;
-        });
+        };
+        showAssumed(form, number, found, 6);
     }
-    form->number(
+    NumberField* density = form->number(
         field::density, [given] { return given().density; },
         [set](std::optional<double> value) {
             set(field::density, [&](RelievedShaftSizes& next) { next.density = *value; });
         });
+    density->setFixedWidth(wide);
     form->current()->addWide(
         captionLabel(tr("Enter two sizes; the third follows from the unbalance m₁ ρ₁."), form));
 }

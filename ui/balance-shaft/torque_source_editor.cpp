@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QTableView>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -73,6 +72,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, QWidget* parent)
     caption()->setText(
         tr("Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a "
            "spreadsheet, or type."));
+    addTool(QStringLiteral("job-new"), tr("Paste (Ctrl+V)"), [this] { tryPaste(); });
     addTool(QStringLiteral("import"), tr("Import CSV file…"), [this] { importWithDialog(); });
     addTool(QStringLiteral("export"), tr("Export CSV file…"), [this] {
         saveFile(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()},

@@ -48,21 +48,12 @@ void EntryField::setModel(SceneModel* model) {
     });
     connect(model, &SceneModel::changed, this, [this] {
         if (isOfModel_ && !editing_) {
-            isOfModel_ = false;
-            isStale_ = true;
-            showTrouble(tr("Not accepted before other values changed; press Enter to try again: %1")
-                            .arg(trouble_));
+            noteStale();
         }
     });
-    // Queued: what changes is a step of the history by then, and the focus where it goes.
-    const auto tryLater = [this] {
-        if (isStale_) {
-            QMetaObject::invokeMethod(this, &EntryField::tryStale, Qt::QueuedConnection);
-        }
-    };
-    connect(model, &SceneModel::changed, this, tryLater);
-    connect(model, &SceneModel::historyChanged, this, tryLater);
-    connect(model, &SceneModel::rested, this, tryLater);
+    connect(model, &SceneModel::changed, this, &EntryField::tryLater);
+    connect(model, &SceneModel::historyChanged, this, &EntryField::tryLater);
+    connect(model, &SceneModel::rested, this, &EntryField::tryLater);
     connect(model, &SceneModel::typedKept, this, [this] {
         if (editing_ && trouble_.isEmpty()) {
             keepValue();
@@ -112,8 +103,30 @@ void EntryField::tryAgain() {
     readText();
 }
 
+void EntryField::noteStale() {
+    isOfModel_ = false;
+    isStale_ = true;
+    showTrouble(
+        tr("Not accepted before other values changed; press Enter to try again: %1").arg(trouble_));
+}
+
+void EntryField::readLater() {
+    if (!isStale_) {
+        noteStale();
+    }
+    tryLater();
+}
+
+void EntryField::tryLater() {
+    // Queued: what changes is a step of the history by then, and the focus where it goes.
+    if (isStale_) {
+        QMetaObject::invokeMethod(this, &EntryField::tryStale, Qt::QueuedConnection);
+    }
+}
+
 void EntryField::tryStale() {
-    if (!isStale_ || editing_ || model_ == nullptr || model_->isEditing() || model_->isMoved()) {
+    if (!isStale_ || editing_ ||
+        (model_ != nullptr && (model_->isEditing() || model_->isMoved()))) {
         return;
     }
     tryAgain();

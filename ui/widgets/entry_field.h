@@ -89,6 +89,8 @@ class EntryField : public QLineEdit {
     /// The text is the value's, and the field has no focus.
     bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
     void endEditing();
+    /// The rule has changed that rejected the text: it is read again, as after other values.
+    void readLater();
     /// Restores the model's state before the editing.
     /// @return false without a model, or where the editing has changed nothing there
     bool takeModelBack() { return model_ != nullptr && model_->takeBack(); }
@@ -107,7 +109,10 @@ class EntryField : public QLineEdit {
     void beginEditing();
     /// Reads the rejected text as if it were typed now.
     void tryAgain();
+    /// Other values have changed since its text was rejected.
+    void noteStale();
     /// The same automatically, once other values have changed and no editing is under way.
+    void tryLater();
     void tryStale();
     void showTrouble(const QString& trouble);
 

@@ -291,10 +291,10 @@ bool Form::hasRejected() const {
                                [](const EntryField* field) { return !field->trouble().isEmpty(); });
 }
 
-void showAssumed(Form* form, NumberField* field, std::function<std::optional<double>()> value) {
-    form->follow([field, value = std::move(value), word = field->placeholderText()] {
+void showAssumed(Form* form, NumberField* field, std::function<std::optional<double>()> value,
+                 int digits) {
+    form->follow([=, value = std::move(value), word = field->placeholderText()] {
         const std::optional<double> assumed = value();
-        constexpr int digits = 4;
         field->setPlaceholderText(assumed && std::isfinite(*assumed)
                                       ? word + QChar::Nbsp +
                                             field->textOf(rounded_to_digits(*assumed, digits))

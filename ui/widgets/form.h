@@ -105,6 +105,8 @@ class Form : public QWidget {
 
 /// Shows in an empty field, grey, the value that applies: "auto 88"; its unit is beside it.
 /// @param value  in the field's unit; empty where the field's own words are enough
-void showAssumed(Form* form, NumberField* field, std::function<std::optional<double>()> value);
+/// @param digits  significant ones shown
+void showAssumed(Form* form, NumberField* field, std::function<std::optional<double>()> value,
+                 int digits = 4);
 
 }  // namespace ravnoves

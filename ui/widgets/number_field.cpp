@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case-file/decimal.h"
 #include "text/message_text.h"
@@ -39,6 +40,13 @@ void NumberField::setRange(const Range& range, const QString& unit) {
     range_.max = shown(range.max);
     unit_ = unit;
     describe();
+}
+
+void NumberField::setOptional(bool optional) {
+    const bool isNew = std::exchange(optional_, optional) != optional;
+    if (isNew && optional && !trouble().isEmpty() && text().trimmed().isEmpty()) {
+        readLater();
+    }
 }
 
 double NumberField::shown(double value) const {

@@ -23,7 +23,8 @@ class NumberField : public ValueEntry<std::optional<double>> {
     /// The unit that the text is in.
     const QString& unit() const { return unit_; }
     /// An empty field is allowed and means "by formula"; its value is then empty.
-    void setOptional(bool optional) { optional_ = optional; }
+    /// A blank text that was rejected is read again once it is allowed.
+    void setOptional(bool optional);
     bool isOptional() const { return optional_; }
     /// Only whole numbers are allowed.
     void setWhole(bool whole) {

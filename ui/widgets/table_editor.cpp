@@ -112,7 +112,11 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
 
     addTool(QStringLiteral("copy"), tr("Copy (Ctrl+C)"), [this] { copy(); });
     addTool(QStringLiteral("plus"), addTip, [this] {
-        table_->insertRowBelow(view_->currentIndex().row());
+        const QModelIndex at = view_->currentIndex();
+        table_->insertRowBelow(at.row());
+        // What is typed next is the new row's.
+        view_->setCurrentIndex(
+            table_->index(std::min(at.row() + 1, table_->rowCount() - 1), at.column()));
     })->setObjectName(QStringLiteral("add_row"));
     addTool(QStringLiteral("minus"), removeTip, [this] {
         removeSelected();
@@ -174,6 +178,14 @@ void TableEditor::paste() {
     }
 }
 
+void TableEditor::tryPaste() {
+    try {
+        paste();
+    } catch (const std::bad_alloc&) {
+        say(errorText(std::current_exception()), true);
+    }
+}
+
 bool TableEditor::takeBackRejected() {
     const QModelIndex at = view_->currentIndex();
     const int row = at.row();
@@ -211,11 +223,7 @@ bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
     if (watched == view_ && event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Paste)) {
-            try {
-                paste();
-            } catch (const std::bad_alloc&) {
-                say(errorText(std::current_exception()), true);
-            }
+            tryPaste();
         } else if (key->matches(QKeySequence::Copy)) {
             copy();
         } else if (key->matches(QKeySequence::Undo) || key->key() == Qt::Key_Escape) {

@@ -48,6 +48,8 @@ class TableEditor : public QWidget {
     /// The row of tools; its end is at the right.
     QHBoxLayout* tools() const { return tools_; }
     QLabel* caption() const { return caption_; }
+    /// Pastes; says where memory does not suffice.
+    void tryPaste();
 
   private:
     void removeSelected();

@@ -47,24 +47,25 @@ QString severityName(Severity severity) {
 
 VerdictLine::VerdictLine(QWidget* parent)
     : QWidget(parent),
+      line_(rowIn(this, Theme::space, {Theme::space, Theme::gap, Theme::space, 0})),
+      row_(new QHBoxLayout),
       sign_(new QLabel(this)),
       word_(new QLabel(this)),
       text_(new AnswerLabel(this)),
       act_(new QPushButton(this)) {
-    QHBoxLayout* line = rowIn(this, Theme::space, {Theme::space, Theme::gap, Theme::space, 0});
-    auto* row = new QHBoxLayout;
+    auto* head = new QHBoxLayout;
     QFont bold = word_->font();
     bold.setBold(true);
     word_->setFont(bold);
     text_->setObjectName(QStringLiteral("verdict"));
     act_->setObjectName(QStringLiteral("verdict_act"));
-    row->addWidget(sign_);
-    row->addWidget(word_);
-    row->addWidget(new Apart(text_, this), 1);
+    head->addWidget(sign_);
+    head->addWidget(word_, 1);
+    row_->addLayout(head);
+    row_->addWidget(new Apart(text_, this), 1);
     text_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
-    line->addLayout(row, 1);
-    line->addWidget(act_, 0, Qt::AlignLeft);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    line_->addLayout(row_, 1);
+    line_->addWidget(act_, 0, Qt::AlignLeft);
     connect(act_, &QPushButton::clicked, this, &VerdictLine::acted);
     connect(&Theme::instance(), &Theme::changed, this, &VerdictLine::dress);
     dress();
@@ -86,11 +87,13 @@ void VerdictLine::show(const Verdict& verdict, const QString& act) {
 
 void VerdictLine::arrange() {
     constexpr int narrow = 300;
-    const int taken = sign_->sizeHint().width() + word_->sizeHint().width() +
-                      act_->sizeHint().width() + 5 * Theme::space;
-    const bool isBelow = act_->isVisibleTo(this) && width() - taken < Theme::withText(narrow);
-    static_cast<QBoxLayout*>(layout())->setDirection(isBelow ? QBoxLayout::TopToBottom
-                                                             : QBoxLayout::LeftToRight);
+    const int head = sign_->sizeHint().width() + word_->sizeHint().width() + 4 * Theme::space;
+    const auto stack = [this](QBoxLayout* layout, int taken) {
+        const bool isStacked = width() - taken < Theme::withText(narrow);
+        layout->setDirection(isStacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    };
+    stack(row_, head);
+    stack(line_, head + (act_->isVisibleTo(this) ? act_->sizeHint().width() + Theme::space : 0));
 }
 
 void VerdictLine::resizeEvent(QResizeEvent* event) {

@@ -4,6 +4,7 @@
 
 #include "case-file/verdict.h"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -34,10 +35,12 @@ class VerdictLine : public QWidget {
   private:
     /// In the present theme and font.
     void dress();
-    /// The button is beside the text, or below where the text would be a narrow column.
+    /// Sign and button are beside the text, or above and below where it would be a narrow column.
     void arrange();
 
     Severity severity_ = Severity::good;
+    QBoxLayout* line_;  ///< sign and text, then the button
+    QBoxLayout* row_;   ///< sign, then the text
     QLabel* sign_;
     QLabel* word_;
     QLabel* text_;

@@ -297,6 +297,10 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     EXPECT_NEAR(model->result().M_up.rms, rms, 1e-9);
     table->removeRowRange(11, 1);
     EXPECT_EQ(table->rowCount(), 49);
+    editor->view()->setCurrentIndex(table->index(10, 1));
+    QTest::mouseClick(test::named<QToolButton>(*editor, "add_row"), Qt::LeftButton);
+    EXPECT_EQ(editor->view()->currentIndex(), table->index(11, 1));
+    table->removeRowRange(11, 1);
     EXPECT_NEAR(model->result().M_up.rms, rms, 1e-9);
 }
 

@@ -13,6 +13,8 @@
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/torque_source_editor.h"
+#include "case-file/decimal.h"
+#include "comes.h"
 #include "model/background_job.h"
 #include "page_fixture.h"
 #include "text/message_text.h"
@@ -71,6 +73,20 @@ TEST_F(BalanceShaftViewsTest, OfThreeSizesOfTheShaftOneIsFound) {
     EXPECT_FALSE(model->input().relieved_shaft->length);
     EXPECT_NEAR(*model->input().relieved_shaft->depth, depth, 1e-12);
     EXPECT_NEAR(shaft().length, 0.4, 1e-6);
+    EXPECT_EQ(field("length_mm")->placeholderText(), QStringLiteral("auto\u00a0400"));
+    // One that was rejected blank is read once the third is given, as a step of its own.
+    blank("diameter_mm");
+    EXPECT_FALSE(field("diameter_mm")->trouble().isEmpty());
+    type("length_mm", QStringLiteral("395"));
+    EXPECT_TRUE(test::comes([&] { return !model->input().relieved_shaft->diameter; }));
+    EXPECT_EQ(field("diameter_mm")->trouble(), QString());
+    EXPECT_NE(shaft().diameter, 0.08);
+    EXPECT_EQ(field("diameter_mm")->placeholderText(),
+              QStringLiteral("auto\u00a0") +
+                  QString::number(rounded_to_digits(shaft().diameter / units::mm, 6)));
+    model->undo();
+    EXPECT_NEAR(*model->input().relieved_shaft->diameter, 0.08, 1e-12);
+    EXPECT_NEAR(*model->input().relieved_shaft->length, 0.395, 1e-12);
 }
 
 TEST_F(BalanceShaftViewsTest, TheFlywheelAnswersForInertiaAndForFluctuation) {

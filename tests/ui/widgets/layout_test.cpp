@@ -13,11 +13,13 @@
 #include <memory>
 #include <utility>
 
+#include "comes.h"
 #include "events.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 namespace {
@@ -68,6 +70,36 @@ TEST(NamedRows, AUnitStaysBesideAFieldWhateverStandsInIt) {
     EXPECT_GT((*unit)->x(), field->geometry().right());
     field->setText(u"12"_s);
     EXPECT_TRUE((*unit)->isVisible());
+}
+
+/// Above a page that takes the rest, as on every page.
+TEST(VerdictLine, ShowsAllOfItsTextAndKeepsTwoLinesForAShortOne) {
+    QWidget page;
+    auto* column = new QVBoxLayout(&page);
+    auto* verdict = new VerdictLine(&page);
+    column->addWidget(verdict);
+    column->addWidget(new QWidget(&page), 1);
+    const auto* label = test::named<QLabel>(*verdict, "verdict");
+    const std::string sentence = "Reject: 610 g·mm in the left plane, 95 g·mm in the right one. ";
+    std::string text = sentence;
+    for (int i = 0; i < 8; ++i, text += sentence) {
+        verdict->show({Severity::warning, Text{text.c_str()}},
+                      i % 2 == 0 ? QString() : u"Correct the drilled holes"_s);
+        for (const int width : {1400, 700, 420, 320}) {
+            test::showAt(page, {width, 900});
+            EXPECT_TRUE(test::comes([&] {
+                return label->height() >= label->heightForWidth(label->width());
+            })) << i
+                << ", " << width;
+            EXPECT_TRUE(
+                verdict->rect().contains(QRect(label->mapTo(verdict, QPoint()), label->size())))
+                << i << ", " << width;
+            // Nothing moves where one line becomes two.
+            const bool isShort = i == 0 && width == 1400;
+            EXPECT_TRUE(!isShort || verdict->height() == verdict->minimumHeight());
+            EXPECT_GE(verdict->height(), verdict->minimumHeight());
+        }
+    }
 }
 
 TEST(FittedTabs, NeedTheHeightOfWhatIsInFront) {

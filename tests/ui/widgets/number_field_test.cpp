@@ -63,6 +63,31 @@ TEST_F(NumberFieldTest, AClickThatGivesTheFocusSelectsAllAndTheNextSetsTheCursor
     EXPECT_TRUE(field.hasSelectedText());
 }
 
+TEST_F(NumberFieldTest, ABlankTextThatWasRejectedIsReadOnceItIsAllowed) {
+    QSignalSpy edited(&field, &NumberField::valueEdited);
+    const auto give = [&](const QString& text) {
+        field.setText(text);
+        Q_EMIT field.textEdited(text);
+        QTest::keyClick(&field, Qt::Key_Return);
+        EXPECT_FALSE(field.trouble().isEmpty());
+    };
+    const auto allow = [&] {
+        field.setOptional(true);
+        QApplication::processEvents();
+    };
+    give(QStringLiteral("4x"));
+    allow();
+    EXPECT_FALSE(field.trouble().isEmpty());
+    field.setOptional(false);
+    give({});
+    EXPECT_EQ(field.value(), 46.0);
+    EXPECT_EQ(edited.count(), 0);
+    allow();
+    EXPECT_EQ(field.trouble(), QString());
+    EXPECT_EQ(field.value(), std::nullopt);
+    EXPECT_EQ(edited.count(), 1);
+}
+
 /// A table that was copied for another program.
 TEST_F(NumberFieldTest, APastedMegabyteIsCutAndSaidSo) {
     QApplication::clipboard()->setText(QString(1'000'000, QLatin1Char('7')));
