@@ -199,7 +199,9 @@ CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, do
             for (const auto& [severity, line] : notes->lines) {
                 if (!said.contains(line)) {
                     said.insert(line);
-                    words.words += paragraph(line.toHtmlEscaped(), toneOf(severity));
+                    words.words += paragraph(
+                        line.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br/>")),
+                        toneOf(severity));
                 }
             }
         } else if (const auto* results = std::get_if<Results>(&content)) {

@@ -271,13 +271,13 @@ void Documents::showNotices() {
         before->setParent(nullptr);
         before->deleteLater();  // it may be the button that was pressed
     }
-    if (hadFocus) {  // else it goes where it happens to
-        QWidget* last = current_->page->focusWidget();
-        (last != nullptr ? last : current_->page)->setFocus(Qt::OtherFocusReason);
-    }
     CaseDocument* document = current_->document;
     const FileOnDisk* file = document->changedFile();
     if (file == nullptr) {
+        if (hadFocus) {  // else it goes where it happens to
+            QWidget* last = current_->page->focusWidget();
+            (last != nullptr ? last : current_->page)->setFocus(Qt::OtherFocusReason);
+        }
         return;
     }
     const bool isMissing = file->state() == FileOnDisk::State::Missing;
@@ -317,6 +317,9 @@ void Documents::showNotices() {
             [this] { saveAs(*current_); });
     }
     notices_->show();
+    if (hadFocus) {
+        notices_->findChild<QPushButton*>()->setFocus(Qt::OtherFocusReason);
+    }
 }
 
 bool Documents::event(QEvent* event) {

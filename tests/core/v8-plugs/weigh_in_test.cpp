@@ -144,6 +144,7 @@ TEST(WeighInSheet, AMassUnlikeTheOthersIsFound) {
     EXPECT_EQ(odd_mass({}, grams({58.4, 583, 584, 0}))->cylinder, 0U);
     // Of four and more the others agree to a few percent.
     EXPECT_EQ(odd_mass({}, grams({587, 688.1, 585, 590}))->cylinder, 1U);
+    EXPECT_NEAR(odd_mass({}, grams({570, 571, 5700, 569, 570.4}))->usual, 0.5702, 1e-12);
     EXPECT_FALSE(odd_mass({}, grams({587, 612, 585, 560})));
     // One of eight, 30 g heavier than seven within 6 g: no tenth, but far beyond their scatter.
     const auto one = odd_mass({}, grams({600, 602, 604, 606, 601, 633, 603, 605}));

@@ -496,7 +496,9 @@ TEST_P(EveryPagesVariants, AReferenceThatIsRejectedSaysWhy) {
     model().chooseReference(0);
     EXPECT_EQ(reference(), nullptr);
     ASSERT_FALSE(said.isEmpty());
-    EXPECT_TRUE(said.last().at(0).toString().contains(model().takeVariant(0)));
+    const QString why = model().takeVariant(0);
+    ASSERT_FALSE(why.isEmpty());
+    EXPECT_TRUE(said.last().at(0).toString().contains(why));
 }
 
 TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {

@@ -16,8 +16,8 @@ namespace ravnoves {
 class SceneModel;
 
 inline constexpr int scatteredSamples = 128;
-/// So many samples of inputs that scatter by these laws, evenly also by themselves; Sobol points
-/// but for Monte Carlo.
+/// 128 samples of inputs that scatter by these laws, evenly also by themselves; Sobol points but
+/// for Monte Carlo.
 std::vector<std::vector<double>> samplesOf(const std::vector<studies::Law>& laws,
                                            studies::Method method, std::uint64_t seed);
 /// Between order statistics.
