@@ -258,7 +258,9 @@ Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks)
         found.mean = plan.centre + std::atan2(sine, 1.0 - versine) * to_degrees;
         // −ln R², which keeps its digits where angles scatter little.
         const double length = square(versine) + square(sine) - 2.0 * versine;  // R² − 1
-        const double spread = -std::log1p(std::clamp(length, -1.0, 0.0));
+        // Angles that cancel out have no mean, but a deviation that is a number.
+        constexpr double least = -1.0 + std::numeric_limits<double>::epsilon();
+        const double spread = -std::log1p(std::clamp(length, least, 0.0));
         found.deviation = solved_ < 2 ? 0.0 : std::sqrt(spread * n / (n - 1.0)) * to_degrees;
         if (plan.centre >= 0.0 && plan.centre < plan.period) {
             shift = wrap(found.mean, plan.period) - found.mean;
