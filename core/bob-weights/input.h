@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "case-file/field.h"
@@ -86,6 +87,14 @@ struct Plane {
     std::optional<double> radius;      ///< R, m: the rim that is drilled
     std::optional<double> from_angle;  ///< rad; the sector in which it may be drilled
     std::optional<double> to_angle;    ///< rad
+
+    /// In which it may be drilled; nothing where not both ends are given.
+    std::optional<std::pair<double, double>> sector() const {
+        return from_angle && to_angle ? std::optional(std::pair(*from_angle, *to_angle))
+                                      : std::nullopt;
+    }
+    /// One end is given, which says nothing.
+    bool has_half_sector() const { return from_angle.has_value() != to_angle.has_value(); }
 
     friend bool operator==(const Plane&, const Plane&) = default;
 };

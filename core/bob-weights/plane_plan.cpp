@@ -62,9 +62,7 @@ class PlanePlanner {
             }
         }
         limits_.smallest_depth = correction.smallest_depth;
-        if (plane.from_angle && plane.to_angle) {
-            limits_.sector = {*plane.from_angle, *plane.to_angle};
-        }
+        limits_.sector = plane.sector();
         for (const double diameter : correction.drill.diameters_mm) {
             diameters_.push_back(diameter * units::mm);
         }

@@ -204,7 +204,8 @@ void solve_correction(const Input& input, Result& result) {
     };
     std::optional<std::size_t> whole;  // the last run that was read whole
     std::array<Metal, 2> since;        // drilled after it
-    const auto add_run = [&](const std::vector<Reading>& readings) {
+    std::array<Metal, 2> before;
+    const auto add_run = [&](const std::vector<Reading>& readings, const DrillingRecord& record) {
         RunResult run;
         const auto read = [&](std::size_t i, double unbalance, const std::optional<double>& angle) {
             run.planes[i] = {unbalance, angle, shop::is_within(unbalance, limit(i))};
@@ -241,32 +242,26 @@ void solve_correction(const Input& input, Result& result) {
             whole = result.runs.size();
             since = {};
         }
-        result.runs.push_back(std::move(run));
-    };
-    std::array<Metal, 2> before;
-    const auto in_plane = [&](const RunResult& run, std::size_t i) {
-        return plan_plane(vector_of(*run.planes[i]), correction.planes[i], correction, limit(i),
-                          before[i]);
-    };
-    const auto add_record = [&](const DrillingRecord& record) {
-        RunResult& run = result.runs.back();
         // Holes of another crankshaft are not in this one; after readings of another bob weight
         // those alone that were drilled before it changed.
         if (record.drilled && !run.read_on && correction.planes.size() == 2) {
             run.is_recorded = true;
-            run.drilled = recorded(*record.drilled, correction, result.runs.size() - 1, before);
+            run.drilled = recorded(*record.drilled, correction, result.runs.size(), before);
         }
+        result.runs.push_back(std::move(run));
+    };
+    const auto in_plane = [&](const RunResult& run, std::size_t i) {
+        return plan_plane(vector_of(*run.planes[i]), correction.planes[i], correction, limit(i),
+                          before[i]);
     };
     for (const EarlierRun& earlier : correction.earlier_runs) {
-        add_run(earlier.readings);
-        add_record(earlier);
+        add_run(earlier.readings, earlier);
         for (std::size_t i = 0; i < 2; ++i) {
             join(before[i], result.runs.back().drilled[i]);
             join(since[i], result.runs.back().drilled[i]);
         }
     }
-    add_run(correction.readings);
-    add_record(correction.record);
+    add_run(correction.readings, correction.record);
     if (!places) {
         return;
     }

@@ -480,6 +480,17 @@ void incomplete_run(DoubtSearch& job) {
     }
 }
 
+/// Place of the first hole recorded after a run that is such a one.
+std::optional<bob_weights::Hole::Place> first_hole(const DoubtSearch& job, std::size_t run,
+                                                   const auto& is_such) {
+    for (const auto& [place, hole] : recorded_holes(job.input.correction)) {
+        if (place.run == run && is_such(*hole)) {
+            return place;
+        }
+    }
+    return std::nullopt;
+}
+
 /// What was drilled after the newest run is in no reading: what that run asks for may be there.
 void drilled_unread(DoubtSearch& job) {
     const auto& correction = job.input.correction;
@@ -488,18 +499,15 @@ void drilled_unread(DoubtSearch& job) {
     }
     const std::size_t runs = correction->earlier_runs.size();
     const std::size_t run = runs - bob_weights::first_run(correction);
-    Doubt& doubt = job.say(
-        run == 0 ? Text::tr("Holes are recorded after “Before”: enter the readings of Run 1, or "
-                            "mark the holes as not drilled.")
-                 : Text::tr("Holes are recorded after Run %1: enter the readings of Run %2, or "
-                            "mark the holes as not drilled."),
-        run, run + 1);
-    for (const auto& [place, hole] : recorded_holes(correction)) {
-        if (!doubt.hole && place.run == runs &&
-            hole->state != bob_weights::HoleState::not_drilled) {
-            doubt.hole = place;
-        }
-    }
+    job.say(run == 0
+                ? Text::tr("Holes are recorded after “Before”: enter the readings of Run 1, or "
+                           "mark the holes as not drilled.")
+                : Text::tr("Holes are recorded after Run %1: enter the readings of Run %2, or "
+                           "mark the holes as not drilled."),
+            run, run + 1)
+        .hole = first_hole(job, runs, [](const bob_weights::DrilledHole& hole) {
+        return hole.state != bob_weights::HoleState::not_drilled;
+    });
 }
 
 /// A hole that was deepened to less than its depth before took off nothing that is known.
@@ -607,15 +615,11 @@ void drilled_otherwise(DoubtSearch& job) {
                           "%1: residual %2 after drilling instead of %3. Check the actual "
                           "holes: angle, depth, zero mark and direction of degrees.");
             const auto& read = *job.shaft.runs[run].planes[i];
-            Doubt& doubt =
-                job.say(text, job.at_run(run, i), job.reading(read.unbalance, *read.angle),
-                        job.reading(other.expected, other.expected_angle));
-            for (const auto& [place, hole] : recorded_holes(job.input.correction)) {
-                if (!doubt.hole && place.run == other.since &&
-                    static_cast<std::size_t>(hole->plane) == i) {
-                    doubt.hole = place;
-                }
-            }
+            job.say(text, job.at_run(run, i), job.reading(read.unbalance, *read.angle),
+                    job.reading(other.expected, other.expected_angle))
+                .hole = first_hole(job, other.since, [&](const bob_weights::DrilledHole& hole) {
+                return static_cast<std::size_t>(hole.plane) == i;
+            });
         });
     }
 }
@@ -998,12 +1002,9 @@ void outside_sector(DoubtSearch& job) {
     for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
         for (const std::size_t i : planes) {
             const bob_weights::Metal& metal = job.shaft.runs[at].drilled[i];
+            bob_weights::HoleLimits limits{};
+            limits.sector = job.input.correction->planes[i].sector();
             const auto check = [&](const bob_weights::Hole& hole) {
-                const bob_weights::Plane& plane = job.input.correction->planes[i];
-                bob_weights::HoleLimits limits{};
-                if (plane.from_angle && plane.to_angle) {
-                    limits.sector = {*plane.from_angle, *plane.to_angle};
-                }
                 // A deepened one was there before.
                 if (hole.from_depth == 0.0 && !limits.allows(hole.angle)) {
                     job.say(Text::tr("%1: the recorded hole at %2 is outside the drilling sector. "
@@ -1017,24 +1018,27 @@ void outside_sector(DoubtSearch& job) {
     }
 }
 
-/// A rim that is whole is said to be so; of half a sector nobody knows which half is meant.
-template <bool is_half>
-void all_round(DoubtSearch& job) {
+/// Of half a sector nobody knows which half is meant.
+void half_sector(DoubtSearch& job) {
     const auto& planned = job.shaft.correction;
     for (std::size_t i = 0; planned && i < 2; ++i) {
         const bob_weights::Plane& plane = job.input.correction->planes[i];
-        const bool is_given = plane.from_angle || plane.to_angle;
-        if ((plane.from_angle && plane.to_angle) || is_given != is_half ||
-            !(is_half ? (*planned)[i].is_planned() : !(*planned)[i].holes.empty())) {
-            continue;
-        }
-        if (is_half) {
+        if (plane.has_half_sector() && (*planned)[i].is_planned()) {
             job.say(
                 Text::tr("%1: enter “%2”, the other end of the drilling sector."),
                 job.plane_name(i),
                 (plane.from_angle ? bob_weights::field::to_angle : bob_weights::field::from_angle)
                     .label);
-        } else {
+        }
+    }
+}
+
+/// A rim that is whole is said to be so.
+void all_round(DoubtSearch& job) {
+    const auto& planned = job.shaft.correction;
+    for (std::size_t i = 0; planned && i < 2; ++i) {
+        const bob_weights::Plane& plane = job.input.correction->planes[i];
+        if (!plane.from_angle && !plane.to_angle && !(*planned)[i].holes.empty()) {
             job.say(Text::tr("%1: enter the drilling sector, or 0 to 360° for a whole rim."),
                     job.plane_name(i));
         }
@@ -1088,7 +1092,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"bearings", error, judged, "", bearings},
         {"drilled-unread", error, judged, drilled_act, drilled_unread},
         {"incomplete-run", error, judged, "", incomplete_run},
-        {"half-sector", error, judged, "", all_round<true>},
+        {"half-sector", error, judged, "", half_sector},
         {"shallower-hole", error, judged, drilled_act, shallower_hole},
         {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
@@ -1114,7 +1118,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"beyond-sector", warning, nothing, "", beyond_sector},
         {"outside-sector", warning, nothing, "", outside_sector},
         {"short-slug", warning, nothing, "", short_slugs},
-        {"all-round", warning, nothing, "", all_round<false>},
+        {"all-round", warning, nothing, "", all_round},
     };
     return rules;
 }

@@ -139,8 +139,7 @@ void CorrectionSheet::showWhatIf() {
     const auto at = static_cast<std::size_t>(whatIf_.plane);
     // Which may be the reason for a stop.
     if (isWhole && correction && at < correction->planes.size() &&
-        correction->planes[at].from_angle.has_value() !=
-            correction->planes[at].to_angle.has_value()) {
+        correction->planes[at].has_half_sector()) {
         showOrHide(whatIfLine_, tr("Enter both ends of the drilling sector."));
         return;
     }

@@ -144,13 +144,11 @@ void MachineSheet::buildPlanes() {
         // Half a sector is not the whole rim.
         follow([from = column[column.size() - 2], to = column.last(),
                 rim = column.last()->placeholderText()] {
-            const bool isRim = !from->value() && !to->value();
-            from->setPlaceholderText(isRim ? rim : QString());
-            to->setPlaceholderText(isRim ? rim : QString());
+            const QString shown = from->value() || to->value() ? QString() : rim;
+            from->setPlaceholderText(shown);
+            to->setPlaceholderText(shown);
         });
-    }
-    for (const auto& column : fields) {  // Enter goes down the columns, plane by plane
-        for (NumberField* field : column) {
+        for (NumberField* field : column) {  // Enter goes down the columns, plane by plane
             ordered(field);
         }
     }

@@ -123,9 +123,8 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
             length(read || isStopped ? read : plane.position),
             plane.from_angle && plane.to_angle
                 ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
-            : isStopped || plane.from_angle || plane.to_angle
-                ? none
-                : words.text(field::from_angle.placeholder),
+            : isStopped || plane.has_half_sector() ? none
+                                                   : words.text(field::from_angle.placeholder),
             permissible && !isStopped ? words.number((*permissible)[i], units::gram_mm, 1) : none};
     }
     return block;

@@ -22,6 +22,28 @@ inline Json weighed_card() {
     return input;
 }
 
+/// Drilled after two runs, all of it measured.
+inline Json twice_drilled() {
+    Json input = card();
+    input["tolerance"] = {{"grade_mm_s", 16}, {"rotor_mass_kg", 32}, {"service_speed_rpm", 6000}};
+    Json& correction = input["correction"];
+    correction["planes"][1]["radius_mm"] = 85;
+    correction["earlier_runs"] = parse_json(R"([
+        {"readings": [{"unbalance_g_mm": 2600, "angle_deg": 75},
+                      {"unbalance_g_mm": 1450, "angle_deg": 210}],
+         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 15, "angle_deg": 75,
+                      "state": "measured"},
+                     {"plane": "rear", "diameter_mm": 16, "depth_mm": 10, "angle_deg": 210,
+                      "state": "measured"}]},
+        {"readings": [{"unbalance_g_mm": 610, "angle_deg": 75},
+                      {"unbalance_g_mm": 95, "angle_deg": 70}],
+         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 16, "from_depth_mm": 15,
+                      "angle_deg": 75, "state": "measured"}]}])");
+    correction["readings"] = parse_json(R"([{"unbalance_g_mm": 480, "angle_deg": 80},
+                                            {"unbalance_g_mm": 90, "angle_deg": 72}])");
+    return input;
+}
+
 /// A job nobody doubts, with what makes it doubtful.
 struct DoubtedJob {
     Json (*base)();

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bob-weights/drilled.h"
+#include "core/workshop/doubted_jobs.h"
 #include "core/workshop/support.h"
 #include "job_page_test.h"
 
@@ -373,22 +374,10 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfMayDeepenOne) {
 }
 
 TEST_F(DrilledTest, TheVerdictLeadsToTheHolesOfTheRunThatItNames) {
-    Json input = workshop::test::card();
-    input["tolerance"] = {{"g_mm", 300}};
-    input["correction"]["earlier_runs"] = parse_json(R"([
-        {"readings": [{"unbalance_g_mm": 2600, "angle_deg": 75},
-                      {"unbalance_g_mm": 1450, "angle_deg": 210}],
-         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 15, "angle_deg": 75,
-                      "state": "measured"},
-                     {"plane": "rear", "diameter_mm": 16, "depth_mm": 0, "angle_deg": 210,
-                      "state": "measured"}]},
-        {"readings": [{"unbalance_g_mm": 610, "angle_deg": 75},
-                      {"unbalance_g_mm": 95, "angle_deg": 70}],
-         "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 16, "from_depth_mm": 15,
-                      "angle_deg": 75, "state": "measured"}]}])");
-    input["correction"]["readings"] = parse_json(R"([{"unbalance_g_mm": 480, "angle_deg": 80},
-                                                    {"unbalance_g_mm": 90, "angle_deg": 72}])");
-    model->loadInput(input, {});
+    model->loadInput(
+        workshop::test::changed(workshop::test::twice_drilled(),
+                                {{"/correction/earlier_runs/0/drilled/1/depth_mm", 0}}),
+        {});
     ASSERT_TRUE(begins(label("verdict"), u"STOP. Run 1, Rear plane"_s));
     click("verdict_act");
     EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("drilled_state_2"));
