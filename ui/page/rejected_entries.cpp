@@ -87,6 +87,10 @@ QStringList rejectedOf(const QWidget* part, bool ofResultAlone, const Retold& re
     return rejected;
 }
 
+QString under(const QString& name, const QString& words) {
+    return name.isEmpty() ? words : name + QStringLiteral("\n\n") + words;
+}
+
 }  // namespace
 
 QStringList rejectedEntries(const QWidget* part, const Retold& retold) {
@@ -106,15 +110,14 @@ QString rejectedWords(const QWidget* part) {
         replaced.removeOne(each);
     }
     QStringList said;
-    if (!leftOut.isEmpty()) {
-        said << RejectedEntries::tr("These entries were not accepted and are left out:")
-             << leftOut.join(QLatin1Char('\n'));
-    }
-    if (!replaced.isEmpty()) {
-        said << RejectedEntries::tr(
-                    "These entries were not accepted; the previous values are used:")
-             << replaced.join(QLatin1Char('\n'));
-    }
+    const auto say = [&said](const QString& how, const QStringList& entries) {
+        if (!entries.isEmpty()) {
+            said << how << entries.join(QLatin1Char('\n'));
+        }
+    };
+    say(RejectedEntries::tr("These entries were not accepted and are left out:"), leftOut);
+    say(RejectedEntries::tr("These entries were not accepted; the previous values are used:"),
+        replaced);
     return said.join(QStringLiteral("\n\n"));
 }
 
@@ -123,10 +126,13 @@ bool mayBeSaved(QWidget* part, const QString& title, const QString& name) {
     if (why.isEmpty()) {
         return true;
     }
-    QMessageBox::warning(part->window(), title,
-                         name.isEmpty() ? why : name + QStringLiteral("\n\n") + why);
+    QMessageBox::warning(part->window(), title, under(name, why));
     showRejected(pageOf(part));
     return false;
+}
+
+bool saveWithoutRejected(QWidget* part, const QString& title, const QString& name) {
+    return mayBeSaved(part, title, name) && continueWithoutRejected(part, title, name);
 }
 
 bool continueWithoutRejected(QWidget* part, const QString& title, const QString& name) {
@@ -134,8 +140,7 @@ bool continueWithoutRejected(QWidget* part, const QString& title, const QString&
     if (words.isEmpty()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Warning, title,
-                    name.isEmpty() ? words : name + QStringLiteral("\n\n") + words,
+    QMessageBox box(QMessageBox::Warning, title, under(name, words),
                     QMessageBox::Ignore | QMessageBox::Cancel, part->window());
     box.button(QMessageBox::Ignore)->setText(RejectedEntries::tr("&Continue without them"));
     box.button(QMessageBox::Cancel)->setText(RejectedEntries::tr("&Stay"));

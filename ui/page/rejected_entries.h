@@ -29,5 +29,7 @@ bool mayBeSaved(QWidget* part, const QString& title, const QString& name = {});
 /// @param name   of the case, where the page may be behind another
 /// @return true where there are none, or the user continues without them
 bool continueWithoutRejected(QWidget* part, const QString& title, const QString& name = {});
+/// Before a case is saved: both.
+bool saveWithoutRejected(QWidget* part, const QString& title, const QString& name = {});
 
 }  // namespace ravnoves

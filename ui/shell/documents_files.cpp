@@ -162,8 +162,7 @@ bool Documents::save(OpenDocument& document) {
         const auto inPlace = document.page->saveInPlace();
         return inPlace ? *inPlace : saveAs(document);
     }
-    if (!mayBeSaved(document.page, tr("Save case")) ||
-        !continueWithoutRejected(document.page, tr("Save case"))) {
+    if (!saveWithoutRejected(document.page, tr("Save case"))) {
         return false;
     }
     document.document->checkFiles();
@@ -177,8 +176,7 @@ bool Documents::save(OpenDocument& document) {
 }
 
 bool Documents::saveAs(OpenDocument& document) {
-    return mayBeSaved(document.page, tr("Save case")) &&
-           continueWithoutRejected(document.page, tr("Save case")) && chooseAndSave(document);
+    return saveWithoutRejected(document.page, tr("Save case")) && chooseAndSave(document);
 }
 
 bool Documents::chooseAndSave(OpenDocument& document) {

@@ -110,9 +110,7 @@ MainWindow::~MainWindow() {
 bool MainWindow::mayRenew(const QString& title) {
     const auto& documents = documents_->all();
     if (!std::ranges::all_of(documents, [&](const auto& each) {
-            const QString name = documents_->nameOf(*each);
-            return mayBeSaved(each->page, title, name) &&
-                   continueWithoutRejected(each->page, title, name);
+            return saveWithoutRejected(each->page, title, documents_->nameOf(*each));
         })) {
         return false;
     }

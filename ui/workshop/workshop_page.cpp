@@ -447,9 +447,10 @@ std::optional<bool> WorkshopPage::askToSave() {
         return true;
     }
     const QString name = model()->jobName();
+    const QString uncorrected = model()->mustBeCorrected();
     QStringList said{name.isEmpty() ? tr("Save the job on the sheet in the journal?")
                                     : tr("Save the job “%1” in the journal?").arg(name),
-                     rejectedWords(this)};
+                     uncorrected.isEmpty() ? rejectedWords(this) : uncorrected};
     said.removeAll(QString());
     QMessageBox box(QMessageBox::Question, tr("Unsaved job"), said.join(QStringLiteral("\n\n")),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);

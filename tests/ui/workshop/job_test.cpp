@@ -1112,6 +1112,10 @@ TEST_F(ReadJobTest, NothingIsSavedBesideARejectedEntryWhoseValueCannotBeBlank) {
         EXPECT_TRUE(has(*said, name));
         EXPECT_EQ(jobs().size(), 0);
         EXPECT_TRUE(find<EntryField>(entry)->isVisible()) << "to be corrected";
+        const auto asked = answer(u"Cancel"_s);
+        press(Qt::Key_F4);
+        EXPECT_TRUE(has(*asked, name));
+        EXPECT_FALSE(has(*asked, u"are left out"_s)) << "it cannot be";
         type(entry, good);
     }
     EXPECT_EQ(document.saveTo(path), QString());
