@@ -15,6 +15,8 @@
 
 namespace ravnoves {
 
+using painter_parts::veil;
+
 namespace {
 
 /// @param part  from −1, helps most, over 0, no change, to 1, harms most
@@ -100,11 +102,6 @@ QImage changeImage(const ChangeContours& field) {
 
 }  // namespace
 
-QColor faint(QColor colour, double alpha) {
-    colour.setAlphaF(static_cast<float>(alpha));
-    return colour;
-}
-
 ChangeMapPlot::ChangeMapPlot(SceneModel* model, std::string_view id, double indent, QWidget* parent)
     : PartPlot(model, id, parent), indent_(indent) {
     connect(&Theme::instance(), &Theme::changed, this, &ChangeMapPlot::showField);
@@ -137,7 +134,7 @@ void ChangeMapPlot::paintGround(QPainter& painter) {
     std::vector<LinesOfPen> all;
     for (const ChangeContours::Contour& contour : field().contours) {
         all.push_back(
-            {contour.level == 0.0 ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
+            {contour.level == 0.0 ? QPen(theme.text(), 2.4) : QPen(veil(theme.text(), 0.38F), 1.0),
              {}});
         for (const QPolygonF& line : contour.lines) {
             QPolygonF& drawn = all.back().lines.emplace_back();

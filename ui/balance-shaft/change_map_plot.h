@@ -5,8 +5,6 @@
 
 namespace ravnoves {
 
-QColor faint(QColor colour, double alpha);
-
 /// A plot over a field of changes with its lines, and the key to its colours: blue where the shaft
 /// helps, orange where it harms, the more the stronger; the eye that sees no red tells them apart,
 /// and so does grey from either.

@@ -16,9 +16,12 @@
 #include "pictures/model/pixel.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
+#include "plot/plot_painter.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
+
+using painter_parts::veil;
 
 namespace {
 
@@ -117,7 +120,7 @@ void ShaftMapPlot::paintBlocked(QPainter& painter) const {
     const double k = to.pixelsPerUnit;
     const QTransform inPixels(k, 0.0, 0.0, -k, to.origin.x(), to.origin.y());
     QPainterPath path;
-    LinesOfPen edges{QPen(faint(theme.text(), 0.7), 1.0), {}};
+    LinesOfPen edges{QPen(veil(theme.text(), 0.7F), 1.0), {}};
     for (const QPolygonF& line : map_->map()->blocked) {
         QPolygonF edge = inPixels.map(line);
         path.addPolygon(edge);
@@ -130,12 +133,12 @@ void ShaftMapPlot::paintBlocked(QPainter& painter) const {
         return;
     }
     constexpr double apart = 7.0;  // lines of the hatch, pixels
-    painter.fillPath(path, faint(theme.panel(), 0.38));
+    painter.fillPath(path, veil(theme.panel(), 0.38F));
     // Lines at 45° need no smoothing, which takes most of a turn of the wheel.
     const bool onPixels = paintsPixels(painter);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, !onPixels);
-    painter.setPen(QPen(faint(theme.text(), 0.3), onPixels ? 0.0 : 1.0));
+    painter.setPen(QPen(veil(theme.text(), 0.3F), onPixels ? 0.0 : 1.0));
     for (const QPolygonF& line : hatchLines(path, plotArea(), apart, 1.0)) {
         painter.drawPolyline(line);
     }
@@ -185,8 +188,8 @@ void ShaftMapPlot::paintEngine(QPainter& painter) const {
         model_->solver(), model_->crank()->degrees() * degree, model_->input().shaft_angle);
     const drawing::Frame frame = this->frame();
     const double k = frame.pixelsPerUnit;
-    const QColor line = faint(theme.text(), 0.75);
-    const QColor metal = faint(drawing::metal(), 0.72);
+    const QColor line = veil(theme.text(), 0.75F);
+    const QColor metal = veil(drawing::metal(), 0.72F);
     const QPointF crank = frame.at(0, 0);
     const QPointF pin = frame.at(pose.crankpin);
     const QPointF piston = frame.at(pose.piston_pin);
@@ -204,7 +207,7 @@ void ShaftMapPlot::paintEngine(QPainter& painter) const {
     }
     const double height = 0.75 * bore;
     const double top = std::min(pose.piston_pin.y + 0.45 * height, sizes.cylinder_top);
-    painter.setBrush(faint(drawing::brightMetal(), 0.72));
+    painter.setBrush(veil(drawing::brightMetal(), 0.72F));
     paintBlock(painter, QRectF(frame.at(e - bore / 2, top), frame.at(e + bore / 2, top - height)),
                3.0);
     painter.setPen(QPen(line, 1.0));
@@ -233,11 +236,11 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.accent(), 1.4));
     drawCircle(painter, crank, frame.length(present.centre_distance()));
-    painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
+    painter.setPen(QPen(veil(theme.text(), 0.6F), 1.0, Qt::DashDotLine));
     painter.drawLine(crank, axis);
     const double swing = frame.length(sizes.shaft_swing_radius);
     painter.setPen(QPen(colour, 1.2));
-    painter.setBrush(faint(colour, 0.1));
+    painter.setBrush(veil(colour, 0.1F));
     paintDisc(painter, axis, swing);
     painter.setPen(QPen(theme.panel(), 1.6));
     painter.setBrush(colour);

@@ -111,7 +111,7 @@ class EntryField : public QLineEdit {
     void tryAgain();
     /// Other values have changed since its text was rejected.
     void noteStale();
-    /// The same automatically, once other values have changed and no editing is under way.
+    /// Reads it automatically, once other values have changed and no editing is under way.
     void tryLater();
     void tryStale();
     void showTrouble(const QString& trouble);

@@ -22,19 +22,18 @@ namespace {
 
 constexpr int signSize = 18;
 
-/// A severity as it is shown; the sign is a picture.
+/// A severity as it is shown.
 struct Look {
     QColor (Theme::*colour)() const;
     const char* word;
-    const char* sign;
 };
 
 const Look& lookOf(Severity severity) {
     static constexpr std::array looks{
-        Look{&Theme::good, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "OK"), "good"},
-        Look{&Theme::accent, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Note"), "note"},
-        Look{&Theme::warning, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Warning"), "warning"},
-        Look{&Theme::error, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Problem"), "error"},
+        Look{&Theme::good, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "OK")},
+        Look{&Theme::accent, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Note")},
+        Look{&Theme::warning, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Warning")},
+        Look{&Theme::error, QT_TRANSLATE_NOOP("ravnoves::VerdictLine", "Problem")},
     };
     return looks.at(static_cast<std::size_t>(severity));
 }
@@ -122,7 +121,8 @@ void VerdictLine::dress() {
     sign.fill(Qt::transparent);
     QPainter painter(&sign);
     const QString picture = QStringLiteral(":/icons/verdict-%1.svg");
-    QSvgRenderer(themedSvg(picture.arg(QLatin1String(lookOf(severity_).sign))))
+    QSvgRenderer(
+        themedSvg(picture.arg(QString::fromStdString(std::string(severity_word(severity_))))))
         .render(&painter, QRectF(0.5, 0.5, size - 1.0, size - 1.0));
     painter.end();
     sign_->setPixmap(sign);
