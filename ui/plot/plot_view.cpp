@@ -118,7 +118,9 @@ void PlotView::showFigure(const Figure& figure) {
         curvesChanged();
     }
     showLegend();
-    updateChart();
+    if (change != PlotData::Change::None) {
+        updateChart();
+    }
     if (figure.spreads) {
         setSpreads(*figure.spreads);
     }

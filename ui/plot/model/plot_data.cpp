@@ -101,6 +101,7 @@ bool PlotData::showY(const plot::Axis& axis,
 PlotData::Change PlotData::show(const Figure& figure) {
     bool isOther = std::exchange(title, figure.title) != figure.title;
     bool isMoved = false;
+    bool isTop = cursorX || pointRead;  // what is read there may be another
     isOther |= showX(figure.x);
     isOther |= showY(figure.left, figure.leftRange);
     isOther |= std::exchange(equalScale, figure.equalScale) != figure.equalScale;
@@ -140,10 +141,10 @@ PlotData::Change PlotData::show(const Figure& figure) {
         showPoints(drawn, curve.x, curve.y);
     }
     isOther |= std::exchange(bands, figure.bands) != figure.bands;
-    lines = figure.lines;
-    marks = figure.marks.value_or(marks);
-    presentX = figure.presentX ? figure.presentX : presentX;
-    return isOther ? Change::Chart : isMoved ? Change::Curves : Change::Top;
+    isTop |= std::exchange(lines, figure.lines) != figure.lines;
+    isTop |= figure.marks && std::exchange(marks, *figure.marks) != *figure.marks;
+    isTop |= figure.presentX && std::exchange(presentX, figure.presentX) != figure.presentX;
+    return isOther ? Change::Chart : isMoved ? Change::Curves : isTop ? Change::Top : Change::None;
 }
 
 QPointF PlotData::toPixel(double valueX, double valueY) const {

@@ -67,6 +67,8 @@ struct Mark {
     Role role = Role::Neutral;
     bool ring = false;       ///< a ring instead of a dot
     std::string curve = {};  ///< it is seen with this curve alone; empty: always
+
+    bool operator==(const Mark&) const = default;
 };
 
 /// A shaded stretch of x (horizontal) or of y (vertical).
@@ -96,6 +98,8 @@ struct Line {
     Role role = Role::Neutral;
     QString text = {};
     bool keptAtEdge = false;  ///< beyond the shown range: its text at the edge, with its value
+
+    bool operator==(const Line&) const = default;
 };
 
 }  // namespace plot
@@ -167,7 +171,7 @@ struct PlotData {
     bool referenceShown = true;
 
     /// The layer to be painted again.
-    enum class Change { Top, Curves, Chart };
+    enum class Change { None, Top, Curves, Chart };
     /// Shows a figure in place of the one before, curve by curve of the same word. What the user
     /// has done stays: zoom, and which curves are switched off.
     Change show(const Figure& figure);
