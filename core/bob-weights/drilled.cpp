@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bob-weights/fields.h"
 #include "bob-weights/plane_plan.h"
 
 namespace ravnoves::bob_weights {
@@ -83,8 +84,12 @@ std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
         const PlaneResult& metal = (*result.correction)[static_cast<std::size_t>(plane)];
         const auto add = [&](const std::vector<Hole>& holes, double sign) {
             for (const Hole& hole : holes) {
+                constexpr int digits = 6;
                 list.push_back({plane, hole.diameter, hole.depth, hole.from_depth, hole.angle,
                                 sign * hole.mass,
+                                sign > 0.0 ? std::optional(rounded(
+                                                 hole.unbalance, field::drilled_unbalance, digits))
+                                           : std::nullopt,
                                 hole.slug > 0.0 ? std::optional(hole.slug) : std::nullopt,
                                 hole.is_axial ? SlugDirection::axial : SlugDirection::radial});
             }

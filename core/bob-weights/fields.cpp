@@ -95,6 +95,7 @@ void visit_hole(FieldVisitor& visitor, DrilledHole& hole) {
     visitor.number(field::drilled_from_depth, hole.from_depth, 0.0);
     visitor.number(field::drilled_angle, hole.angle);
     visitor.number(field::drilled_mass, hole.mass);
+    visitor.number(field::drilled_unbalance, hole.unbalance);
     visitor.number(field::drilled_slug, hole.slug);
     visitor.choice(field::drilled_direction, hole.direction, SlugDirection::radial);
     visitor.choice(field::drilled_state, hole.state, HoleState::as_planned);

@@ -228,6 +228,10 @@ inline constexpr Field drilled_mass{
     .range = Range::between(-1e6, 1e6),
     .label = Text::tr("Takes off"),
     .hint = Text::tr("Mass taken off; negative for a slug, minus the mass of its hole.")};
+inline constexpr Field drilled_unbalance{.key = "removed_g_mm",
+                                         .range = unbalance.range,
+                                         .label = Text::tr("Takes off, unbalance"),
+                                         .hint = Text::tr("Unbalance that the plan takes off.")};
 inline constexpr Field drilled_slug{.key = "slug_g",
                                     .range = Range::between(0, 1e6),
                                     .label = Text::tr("Slug"),

@@ -155,7 +155,8 @@ struct DrilledHole {
     double angle = 0.0;                  ///< of the metal, rad
     /// Taken off, kg; negative: a slug, less what its hole took off; empty: by the sizes.
     std::optional<double> mass;
-    std::optional<double> slug;  ///< the slug's own mass, kg
+    std::optional<double> unbalance;  ///< of that mass by the plan, kg·m; of holes
+    std::optional<double> slug;       ///< the slug's own mass, kg
     SlugDirection direction = SlugDirection::radial;
     HoleState state = HoleState::as_planned;
 

@@ -553,22 +553,57 @@ void drilled_at_light_spot(DoubtSearch& job) {
     }
 }
 
+/// But for the side: nothing of it was measured.
+bool is_as_planned(const bob_weights::DrilledHole& hole) {
+    return hole.state == bob_weights::HoleState::as_planned ||
+           hole.state == bob_weights::HoleState::wrong_side;
+}
+
 /// Angles of the holes are in the machine's sense of counting, which has been changed since. What
 /// was measured is where it was found.
 void drilled_counting_otherwise(DoubtSearch& job) {
-    const auto is_as_counted = [](const bob_weights::DrilledHole& hole) {
-        return hole.state == bob_weights::HoleState::as_planned ||
-               hole.state == bob_weights::HoleState::wrong_side;
-    };
     for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
         const bob_weights::EarlierRun& earlier = job.input.correction->earlier_runs[at];
         if (earlier.counted_otherwise && job.shaft.runs[at].is_drilled() &&
-            std::ranges::any_of(*earlier.drilled, is_as_counted)) {
+            std::ranges::any_of(*earlier.drilled, is_as_planned)) {
             job.say(
                    Text::tr("The holes were drilled while the machine counted degrees in the other "
                             "direction. Check the direction, or enter the angles as measured."))
                 .hole = bob_weights::Hole::Place{at, 0};
             return;
+        }
+    }
+}
+
+/// What a hole takes off follows from radius, density and drill point: where they have been changed
+/// since it was planned, the record is wrong now, or the next holes would be. It is said of the
+/// first hole.
+void drilled_by_other_values(DoubtSearch& job) {
+    constexpr double same = 1.01;
+    const auto holes = recorded_holes(job.input.correction);
+    for (const std::size_t i : planes) {
+        const auto now = [&, plane = i](const bob_weights::DrilledHole& hole) {
+            const bob_weights::Drill& drill = job.input.correction->drill;
+            const bob_weights::Cut cut{*job.radius(plane), drill.density, drill.point_angle};
+            const double before =
+                hole.from_depth > 0.0 ? cut.removed(hole.diameter, hole.from_depth).unbalance : 0.0;
+            return cut.removed(hole.diameter, hole.depth).unbalance - before;
+        };
+        const auto found = std::ranges::find_if(holes, [&, plane = i](const auto& recorded) {
+            const bob_weights::DrilledHole& hole = *recorded.second;
+            return static_cast<std::size_t>(hole.plane) == plane && is_as_planned(hole) &&
+                   hole.unbalance && job.radius(plane) &&
+                   job.shaft.runs[recorded.first.run].is_recorded &&
+                   differ(now(hole), *hole.unbalance, same);
+        });
+        if (found != holes.end() && job.shaft.newest()->within(i) != true) {
+            const auto& [place, hole] = *found;
+            job.say(Text::tr("%1: the hole at %2 was planned to take off %3; with the present "
+                             "radius, density and drill point it takes off %4. Check them, or "
+                             "record the hole as measured."),
+                    job.at_run(place.run, i), in_degrees(hole->turned(hole->angle)),
+                    in_gram_millimetres(*hole->unbalance), in_gram_millimetres(now(*hole)))
+                .hole = place;
         }
     }
 }
@@ -1101,6 +1136,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise<true>},
         {"deepens-unmeasured", error, judged, drilled_act, deepens_unmeasured},
         {"drilled-beside-plan", warning, nothing, "", drilled_otherwise<false>},
+        {"drilled-by-other-values", warning, nothing, "", drilled_by_other_values},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"paper-limit", warning, nothing, "", paper_limits},

@@ -4281,6 +4281,10 @@
         <translation>Снятая масса; отрицательна для вставки, за вычетом массы её отверстия.</translation>
     </message>
     <message>
+        <source>Unbalance that the plan takes off.</source>
+        <translation>Дисбаланс, который снимает план.</translation>
+    </message>
+    <message>
         <source>Mass of the slug itself.</source>
         <translation>Собственная масса вставки.</translation>
     </message>
@@ -9267,6 +9271,10 @@
     <message>
         <source>A drill of %1 is unusual. Separate several sizes by semicolons.</source>
         <translation>Сверло %1 необычно. Несколько размеров разделяйте точкой с запятой.</translation>
+    </message>
+    <message>
+        <source>%1: the hole at %2 was planned to take off %3; with the present radius, density and drill point it takes off %4. Check them, or record the hole as measured.</source>
+        <translation>%1: отверстие на %2 по плану снимало %3; с нынешними радиусом, плотностью и углом сверла оно снимает %4. Проверьте их или отметьте отверстие как измеренное.</translation>
     </message>
     <message>
         <source>The holes were drilled while the machine counted degrees in the other direction. Check the direction, or enter the angles as measured.</source>

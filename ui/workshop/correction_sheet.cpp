@@ -230,7 +230,8 @@ void CorrectionSheet::addHoleRow() {
             mutate(hole);
             hole.state = hole.state == HoleState::wrong_side ? hole.state : HoleState::measured;
             if (hole.slug || !hole.is_slug()) {
-                hole.mass.reset();  // it was the plan's
+                hole.mass.reset();  // they were the plan's
+                hole.unbalance.reset();
             }
         });
     };

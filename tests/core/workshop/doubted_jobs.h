@@ -147,6 +147,11 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
             Json::array({{{"readings", {read(3700, 40), nothing}},
                           {"drilled", {changed(hole(40, 29), {{"/state", "measured"}})}}}})},
            {"/correction/readings", {read(1000, 40), nothing}}}}},
+        // By a radius of 100 mm.
+        {"drilled-by-other-values",
+         {card,
+          {{"/correction/earlier_runs",
+            holes_before(changed(hole(40), {{"/removed_g_mm", 1584}}))}}}},
         // By the record 150 was to be left: the hole is less deep than planned.
         {"deepens-unmeasured",
          {card,

@@ -279,6 +279,40 @@ TEST(Doubts, OfTheDirectionOfDegreesFollowTheMachine) {
     EXPECT_EQ(input, read_input(json));
 }
 
+TEST(Doubts, OfAPlannedHoleFollowRadiusAndDrill) {
+    Input input = read_input(card());
+    bob_weights::Correction& correction = *input.correction;
+    bob_weights::EarlierRun run;
+    run.drilled = bob_weights::planned_holes(solve(input).shaft);
+    run.readings = std::exchange(correction.readings, std::vector<bob_weights::Reading>(2));
+    correction.earlier_runs = {run};
+    EXPECT_TRUE(solve(input).doubts.empty());
+    const auto doubts = [](Input job, const auto& change) {
+        change(*job.correction);
+        const auto found = solve(job).doubts;
+        EXPECT_TRUE(std::ranges::all_of(found, [](const Doubt& doubt) {
+            return doubt.rule->word == "drilled-by-other-values" && !doubt.rule->blocks.any();
+        }));
+        return found;
+    };
+    const auto of_radius =
+        doubts(input, [](auto& changed) { changed.planes[1].radius = 77 * units::mm; });
+    ASSERT_EQ(of_radius.size(), 1U);
+    ASSERT_TRUE(of_radius[0].hole);
+    EXPECT_EQ(run.drilled->at(of_radius[0].hole->hole).plane, bob_weights::PlaneName::rear);
+    EXPECT_TRUE(of_radius[0].text.english().starts_with("Before, Rear plane: the hole at 290.0°"))
+        << of_radius[0].text.english();
+    EXPECT_EQ(doubts(input, [](auto& changed) { changed.drill.density = 7250; }).size(), 2U);
+    EXPECT_EQ(doubts(input, [](auto& changed) { changed.drill.point_angle = pi; }).size(), 2U);
+    // What was measured is what it is.
+    EXPECT_TRUE(doubts(input, [](auto& changed) {
+                    changed.drill.density = 7250;
+                    for (bob_weights::DrilledHole& hole : *changed.earlier_runs[0].drilled) {
+                        hole.state = bob_weights::HoleState::measured;
+                    }
+                }).empty());
+}
+
 TEST(Doubts, OfADrillingFindHolesInTheOtherPlane) {
     // Front 1250 at 40°: the hole takes off about 1100; it was drilled in the rear plane.
     Json input = card();
