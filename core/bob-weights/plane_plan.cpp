@@ -141,9 +141,18 @@ class PlanePlanner {
         // Another hole is worth its while where more than half of the limit would be left, to be
         // deepened where it is more than a tenth.
         const bool to_zero = correction_.aim == Aim::zero;
+        std::vector<Hole> at_hand;  // holes with a drill to deepen them
+        HoleLimits beside_others = limits_;
+        for (const Hole& hole : there_) {
+            if (has_drill(hole.diameter)) {
+                at_hand.push_back(hole);
+            } else {
+                take(hole, cut_, beside_others);
+            }
+        }
         const HolePlan deeper =
             correction_.deepens
-                ? plan_deepening(unbalance, there_, cut_, limits_,
+                ? plan_deepening(unbalance, at_hand, cut_, beside_others,
                                  to_zero ? 0.1 * tolerance_ : tolerance_,
                                  has_limit() ? tolerance_ : std::numeric_limits<double>::infinity())
                 : HolePlan{{}, std::abs(unbalance), Shortfall::too_little_room};
@@ -298,6 +307,11 @@ class PlanePlanner {
         return is_enough(fresh) ? count(fresh) < count(both) : left(fresh) < left(both);
     }
 
+    bool has_drill(double diameter) const {
+        constexpr double rounding = 0.01 * units::mm;
+        return std::ranges::any_of(
+            diameters_, [&](double each) { return std::abs(each - diameter) < rounding; });
+    }
     bool has_limit() const { return tolerance_ >= 0.0; }
 
     /// The plan by the aim; where the steps of its depths leave more than the limit, by the limit.
@@ -385,7 +399,7 @@ class PlanePlanner {
     bool is_drilled_;  ///< in earlier runs
     bool has_slugs_ = false;
     std::vector<double> diameters_;
-    std::vector<Hole> there_;  ///< that can be deepened
+    std::vector<Hole> there_;
 };
 
 }  // namespace

@@ -220,6 +220,19 @@ TEST(Plan, DeepensTheHoleThatIsThere) {
     EXPECT_EQ(holes[0].at("from_depth_mm"), hole.at("depth_mm"));
 }
 
+TEST(Plan, DeepensNoHoleWithoutItsDrill) {
+    Json input = second_run();
+    input["correction"]["drill"]["diameters_mm"] = {8, 10};
+    const Json plane = front_of(input);
+    ASSERT_FALSE(plane.at("holes").empty()) << plane.dump(1);
+    for (const Json& hole : plane.at("holes")) {
+        EXPECT_TRUE(hole.at("deepens").is_null());
+        EXPECT_LE(number(hole, "/diameter_mm"), 10);
+        // Beside the one that is there, by its drill and the wall.
+        EXPECT_GT(std::abs(number(hole, "/angle_deg") - 40), 10);
+    }
+}
+
 TEST(Plan, KeepsToTheSmallestDepthAndAims) {
     Json input = card();
     input["tolerance"] = {{"g_mm", 100}};
