@@ -563,13 +563,13 @@ bool is_as_planned(const bob_weights::DrilledHole& hole) {
 /// was measured is where it was found.
 void drilled_counting_otherwise(DoubtSearch& job) {
     for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
-        const bob_weights::EarlierRun& earlier = job.input.correction->earlier_runs[at];
-        if (earlier.counted_otherwise && job.shaft.runs[at].is_drilled() &&
-            std::ranges::any_of(*earlier.drilled, is_as_planned)) {
+        const auto first = first_hole(job, at, is_as_planned);
+        if (job.input.correction->earlier_runs[at].counted_otherwise &&
+            job.shaft.runs[at].is_drilled() && first) {
             job.say(
                    Text::tr("The holes were drilled while the machine counted degrees in the other "
                             "direction. Check the direction, or enter the angles as measured."))
-                .hole = bob_weights::Hole::Place{at, 0};
+                .hole = first;
             return;
         }
     }

@@ -274,6 +274,10 @@ TEST(Doubts, OfTheDirectionOfDegreesFollowTheMachine) {
     Input measured = input;
     measured.correction->earlier_runs[0].drilled->at(0).state = bob_weights::HoleState::measured;
     EXPECT_FALSE(is_doubted(measured));
+    // The first of those that were not is named.
+    const bob_weights::DrilledHole planned = input.correction->earlier_runs[0].drilled->front();
+    measured.correction->earlier_runs[0].drilled->push_back(planned);
+    EXPECT_EQ(solve(measured).doubts.at(0).hole, (bob_weights::Hole::Place{0, 1}));
     note_counts_changed(*input.correction);
     EXPECT_FALSE(is_doubted(input));
     EXPECT_EQ(input, read_input(json));
