@@ -618,21 +618,26 @@ bool deepens_before(const DoubtSearch& job, std::size_t run, std::size_t plane) 
 
 /// Where it is not so much that the plan is wrong, a hole of another depth would be drilled twice:
 /// it matters while the newest run is not within its limit, and before such a hole is deepened.
-template <bool is_large>
+/// Else the record alone is contradicted, which no pass hides.
+template <Severity severity>
 void drilled_otherwise(DoubtSearch& job) {
     for (const std::size_t i : planes) {
         for_other_effects(job, i, [&](std::size_t run, const bob_weights::OtherEffect& other) {
             const bool is_newest = run + 1 == job.shaft.runs.size();
             const bool matters =
                 (is_newest && job.shaft.runs[run].within(i) != true) || deepens_before(job, run, i);
-            if (other.is_large != is_large || other.is_at_light_spot ||
-                (!is_large && !(matters && other.is_drilled))) {
+            const Severity of_other = other.is_large ? Severity::error
+                                      : matters      ? Severity::warning
+                                                     : Severity::note;
+            if (of_other != severity || other.is_at_light_spot ||
+                (!other.is_large && !other.is_drilled)) {
                 return;
             }
             const Text text =
-                !is_large ? Text::tr(
-                                "%1: residual %2 after drilling instead of %3. Check the actual "
-                                "angle and depth of the holes before drilling again.")
+                !other.is_large
+                    ? Text::tr(
+                          "%1: residual %2 after drilling instead of %3. Check the actual "
+                          "angle and depth of the holes before drilling again.")
                 : other.is_in_other_plane
                     ? Text::tr(
                           "%1: residual %2 after drilling instead of %3, as if the holes were "
@@ -1094,6 +1099,7 @@ bool contradicts_scale(const Input& input, const bob_weights::PartField& part) {
 std::span<const DoubtRule> doubt_rules() {
     constexpr Severity error = Severity::error;
     constexpr Severity warning = Severity::warning;
+    constexpr Severity note = Severity::note;
     // A bob weight that is wrong makes wrong readings, and these wrong holes and a wrong verdict.
     constexpr Withheld all{true, true, true};
     constexpr Withheld judged{false, true, true};
@@ -1133,9 +1139,9 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-too-deep", error, judged, drilled_act, drilled_too_deep<true>},
         {"swapped-planes", error, judged, "", swapped_planes<true>},
-        {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise<true>},
+        {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise<error>},
         {"deepens-unmeasured", error, judged, drilled_act, deepens_unmeasured},
-        {"drilled-beside-plan", warning, nothing, "", drilled_otherwise<false>},
+        {"drilled-beside-plan", warning, nothing, "", drilled_otherwise<warning>},
         {"drilled-by-other-values", warning, nothing, "", drilled_by_other_values},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
@@ -1155,6 +1161,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"outside-sector", warning, nothing, "", outside_sector},
         {"short-slug", warning, nothing, "", short_slugs},
         {"all-round", warning, nothing, "", all_round},
+        {"drilled-unlike-record", note, nothing, "", drilled_otherwise<note>},
     };
     return rules;
 }

@@ -152,6 +152,14 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
          {card,
           {{"/correction/earlier_runs",
             holes_before(changed(hole(40), {{"/removed_g_mm", 1584}}))}}}},
+        // By the record 1167 was to be left; the deepening acted as it was to.
+        {"drilled-unlike-record",
+         {card,
+          {{"/correction/earlier_runs",
+            Json::array({{{"readings", {read(2500, 40), nothing}}, {"drilled", {hole(40)}}},
+                         {{"readings", {read(1600, 40), nothing}},
+                          {"drilled", {changed(hole(40, 20), {{"/from_depth_mm", 9}})}}}})},
+           {"/correction/readings", {read(150, 40), nothing}}}}},
         // By the record 150 was to be left: the hole is less deep than planned.
         {"deepens-unmeasured",
          {card,

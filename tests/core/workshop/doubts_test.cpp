@@ -524,12 +524,17 @@ TEST(Doubts, OfAHoleAreKeptUntilItIsDeepened) {
                            {"/correction/earlier_runs/1/drilled", Json::array()},
                            {"/correction/readings/0/angle_deg", 45}}),
            "Run 1, Front plane: residual 140.0 g·mm ∠ 50.0°");
-    // Nothing is deepened within the limit, and the real depth explains the run.
-    for (const auto& change : {std::pair("/correction/readings/0/unbalance_g_mm", 84.0),
-                               {"/correction/earlier_runs/0/drilled/2/depth_mm", 20.7}}) {
-        EXPECT_TRUE(doubts_of(changed(input, {{change.first, change.second}})).empty())
-            << change.first;
+    // Nothing is deepened within the limit: it passes, and the record is contradicted all the same.
+    const Json passed = changed(input, {{"/correction/readings/0/unbalance_g_mm", 84}});
+    const auto doubts = doubts_of(passed);
+    ASSERT_FALSE(doubts.empty());
+    for (const auto& [kind, text] : doubts) {
+        EXPECT_EQ(kind, "drilled-unlike-record") << text;
     }
+    EXPECT_EQ(at(solved(passed), "/verdict/severity"), "good");
+    // The real depth explains the run.
+    EXPECT_TRUE(doubts_of(changed(input, {{"/correction/earlier_runs/0/drilled/2/depth_mm", 20.7}}))
+                    .empty());
 }
 
 TEST(Doubts, OfHolesThatNoRunHasRead) {
