@@ -683,6 +683,20 @@ TEST(Doubts, OfAnOddPartNameThePermittedRangeWhereItHelps) {
     EXPECT_NE(said(80), "");
 }
 
+TEST(Doubts, OfTheSpreadOfAPartNameItsCylinders) {
+    Json input = doubted().at("spread")();
+    Json& piston = input["weigh_in"]["piston"];
+    piston["mass_g"] = {582, 581, 580, 583, 587, 584, 585, 586};
+    for (int time = 0; time < 2; ++time) {
+        const auto doubts = doubts_of(input);
+        ASSERT_EQ(doubts.size(), 1U);
+        EXPECT_EQ(doubts[0].first, "spread");
+        EXPECT_NE(doubts[0].second.find("(heaviest: cylinder 5, lightest: 3)"), std::string::npos)
+            << doubts[0].second;
+        piston.erase("permitted_spread_g");
+    }
+}
+
 TEST(Doubts, AreNoneWhereNothingIsOdd) {
     Json slow = card();
     slow["tolerance"]["service_speed_rpm"] = 1500;
