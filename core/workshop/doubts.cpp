@@ -1103,6 +1103,7 @@ std::span<const DoubtRule> doubt_rules() {
     // A bob weight that is wrong makes wrong readings, and these wrong holes and a wrong verdict.
     constexpr Withheld all{true, true, true};
     constexpr Withheld judged{false, true, true};
+    constexpr Withheld limited{false, true, true, true};
     constexpr Withheld verdict_alone{false, false, true};
     constexpr Withheld nothing{};
     static constexpr DoubtRule rules[] = {
@@ -1122,15 +1123,15 @@ std::span<const DoubtRule> doubt_rules() {
         {"other-crankshaft", error, judged, "", other_readings<true>},
         {"other-bob-weight", error, judged, "", other_readings<false>},
         {"beside-planes", error, verdict_alone, "", beside_planes},
-        {"rotor-mass", error, judged, "", rotor_mass},
-        {"plane-radius", error, judged, "", plane_radius},
-        {"implausible-radius", error, judged, "", far_radius<true>},
-        {"plane-order", error, judged, "", plane_order},
-        {"deep-holes", error, judged, "", deep_holes},
-        {"grade", error, judged, "", grade},
-        {"great-reading", error, judged, "", great_reading},
-        {"service-speed", error, judged, "", service_speed},
-        {"bearings", error, judged, "", bearings},
+        {"rotor-mass", error, limited, "", rotor_mass},
+        {"plane-radius", error, limited, "", plane_radius},
+        {"implausible-radius", error, limited, "", far_radius<true>},
+        {"plane-order", error, limited, "", plane_order},
+        {"deep-holes", error, limited, "", deep_holes},
+        {"grade", error, limited, "", grade},
+        {"great-reading", error, limited, "", great_reading},
+        {"service-speed", error, limited, "", service_speed},
+        {"bearings", error, limited, "", bearings},
         {"drilled-unread", error, judged, drilled_act, drilled_unread},
         {"incomplete-run", error, judged, "", incomplete_run},
         {"half-sector", error, judged, "", half_sector},
@@ -1138,7 +1139,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-too-deep", error, judged, drilled_act, drilled_too_deep<true>},
-        {"swapped-planes", error, judged, "", swapped_planes<true>},
+        {"swapped-planes", error, limited, "", swapped_planes<true>},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise<error>},
         {"deepens-unmeasured", error, judged, drilled_act, deepens_unmeasured},
         {"drilled-beside-plan", warning, nothing, "", drilled_otherwise<warning>},

@@ -16,6 +16,7 @@ struct Withheld {
     bool bob_weight = false;
     bool holes = false;
     bool verdict = false;
+    bool limits = false;  ///< what may remain, or the radius that it is at
 
     bool any() const { return bob_weight || holes || verdict; }
 };

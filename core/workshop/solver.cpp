@@ -77,6 +77,7 @@ Withheld Result::withheld() const {
         all.bob_weight = all.bob_weight || doubt.rule->blocks.bob_weight;
         all.holes = all.holes || doubt.rule->blocks.holes;
         all.verdict = all.verdict || doubt.rule->blocks.verdict;
+        all.limits = all.limits || doubt.rule->blocks.limits;
     }
     return all;
 }

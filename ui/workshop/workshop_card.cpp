@@ -125,7 +125,9 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
                 ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
             : isStopped || plane.has_half_sector() ? none
                                                    : words.text(field::from_angle.placeholder),
-            permissible && !isStopped ? words.number((*permissible)[i], units::gram_mm, 1) : none};
+            permissible && !model.withheld().limits
+                ? words.number((*permissible)[i], units::gram_mm, 1)
+                : none};
     }
     return block;
 }
@@ -320,7 +322,7 @@ void addPlugs(std::vector<Block>& blocks, const Words& words, const WorkshopMode
                 words.plainWithUnit(result.changes.*each.member, units::gram, 3));
         }
     }
-    if (!model.withheld().any()) {  // as every limit
+    if (!model.withheld().limits) {  // as every limit
         add(words.name(v8_plugs::field::tolerance),
             words.plainWithUnit(input.tolerance, units::gram_mm, 2));
     }
@@ -405,6 +407,7 @@ class Card {
         const QString verdict =
             withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
         const QString colour = withheld.any() ? red : ink;
+        const RunResult* newest = model_.solution().newest();
         const bool isKnown = model_.solution().bob_weight.has_value();
         QStringList more{isKnown && !model_.hasPlugs() ? model_.factorText(words_) : QString(),
                          model_.boringText(words_)};
@@ -413,14 +416,15 @@ class Card {
         }
         more.removeAll(QString());
         QString content;
-        if (!withheld.bob_weight) {
-            content = lines(stop(), largest, true, colour);
+        if (withheld.any() && (!withheld.bob_weight || (newest != nullptr && newest->is_read()))) {
+            content = lines(words_.translate("ravnoves::WorkshopModel", "STOP: do not drill yet"),
+                            largest, true, colour);
         }
         content += lines(model_.headline(words_),
                          withheld.bob_weight ? largest
                          : isKnown           ? large
                                              : 16,
-                         true, colour) +
+                         true, withheld.bob_weight ? colour : ink) +
                    lines(model_.hangText(words_), 15) + lines(verdict, large, true) +
                    lines(model_.adviceText(words_), 16, true) +
                    lines(more.join(QLatin1Char(' ')), 11);

@@ -383,7 +383,7 @@ QString WorkshopModel::factorText(const Words& words) const {
 QString WorkshopModel::limitText(const Words& words) const {
     const bob_weights::Result& result = solution();
     // The mass that a limit is by may be what is doubted.
-    if (!result.permissible || !input().tolerance || withheld().verdict) {
+    if (!result.permissible || !input().tolerance || withheld().limits) {
         return {};
     }
     std::array<QString, 2> limits;

@@ -270,7 +270,7 @@ bool WorkshopModel::hasAnswer() const {
 
 std::unique_ptr<WorkshopModel> WorkshopModel::stoppedBy(const QString& why) const {
     static constexpr workshop::DoubtRule rule{
-        "rejected-entry", Severity::error, {true, true, true}, {}, nullptr};
+        "rejected-entry", Severity::error, {true, true, true, true}, {}, nullptr};
     auto stopped = std::make_unique<WorkshopModel>(QString());
     stopped->restart(withoutRejected());
     WorkshopScene::Solved& solved = stopped->solvedInPlace();
