@@ -17170,8 +17170,8 @@ but at this l no α is feasible</source>
 <context>
     <name>ravnoves::WorkshopPage</name>
     <message>
-        <source>Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else is kept.</source>
-        <translation>Очищены: взвешенные массы, показания, отверстия и масса вала. Остальное сохранено.</translation>
+        <source>New job. Cleared: numbers, customer, typed and weighed masses, readings, holes and the crankshaft’s mass. Engine, machine, planes and drills are kept.</source>
+        <translation>Новая работа. Очищены: номера, заказчик, введённые и взвешенные массы, показания, отверстия и масса вала. Двигатель, станок, плоскости и свёрла сохранены.</translation>
     </message>
     <message>
         <source>&amp;Save job in the journal</source>
@@ -17306,10 +17306,6 @@ but at this l no α is feasible</source>
         <translation>Записать как &amp;другую</translation>
     </message>
     <message>
-        <source>The sheet is empty.</source>
-        <translation>Лист пуст.</translation>
-    </message>
-    <message>
         <source>The job on the sheet was removed from the journal.</source>
         <translation>Работа с этого листа удалена из журнала.</translation>
     </message>
@@ -17408,10 +17404,6 @@ but at this l no α is feasible</source>
     <message>
         <source>The job of %1 in the journal is finished, verdict: %2. With this sheet the verdict is: %3.</source>
         <translation>Работа %1 в журнале закончена, заключение: %2. С этим листом заключение: %3.</translation>
-    </message>
-    <message>
-        <source>New job: masses and readings are empty.</source>
-        <translation>Новая работа: массы и показания пусты.</translation>
     </message>
     <message>
         <source>Another engine: planes, heavy metal, nominal masses, service speed and own limit of the previous crankshaft are cleared. Undo restores them.</source>

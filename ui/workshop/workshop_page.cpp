@@ -263,7 +263,7 @@ void WorkshopPage::buildActions() {
         [this] {
             if (mayReplaceJob()) {
                 model_->newJob();
-                showNewJob(tr("The sheet is empty."));
+                showNewJob();
             }
         });
     add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
@@ -589,12 +589,12 @@ void WorkshopPage::goToBeginning() {
     nextEntry(*forms_.constFirst(), true)->setFocus(Qt::TabFocusReason);
 }
 
-void WorkshopPage::showNewJob(const QString& said) {
+void WorkshopPage::showNewJob() {
     goToBeginning();
     beginSheets();
-    Q_EMIT status(said + QLatin1Char(' ') +
-                  tr("Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else "
-                     "is kept."));
+    Q_EMIT status(
+        tr("New job. Cleared: numbers, customer, typed and weighed masses, readings, holes and the "
+           "crankshaft’s mass. Engine, machine, planes and drills are kept."));
 }
 
 void WorkshopPage::showJournal(const QString& search) {
@@ -632,7 +632,7 @@ void WorkshopPage::bringJob(qint64 id, bool isCopy) {
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Journal"), trouble);
     } else if (isCopy) {
-        showNewJob(tr("New job: masses and readings are empty."));
+        showNewJob();
     }
 }
 

@@ -97,8 +97,8 @@ class WorkshopPage : public ScenePage {
     void restoreFrom(const QString& file);
     /// A job of the journal comes onto the sheet, unchanged or as a new one like it.
     void bringJob(qint64 id, bool isCopy);
-    /// The sheet of a new job, from its beginning. @param said  what became of the sheet
-    void showNewJob(const QString& said);
+    /// The sheet of a new job, from its beginning.
+    void showNewJob();
     void printCard();
     void previewCard();
     void exportCard();

@@ -1484,14 +1484,16 @@ TEST_F(ReadJobTest, TheNextJobOfAnotherEngineHasNothingOfTheCrankshaftBefore) {
           {"engine_number", "A 1"}});
     limitTo(40);
     save();
+    QString said;
+    QObject::connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
     press(Qt::Key_F4);
+    EXPECT_TRUE(has(said, u"typed and weighed masses"_s));
+    EXPECT_FALSE(model->hasNumbers());
     EXPECT_EQ(model->input().tolerance->plane, 40 * units::gram_mm);
     const Correction carried = *model->input().correction;
     ASSERT_EQ(carried.planes[0].radius, 85 * units::mm) << "of the same engine it stays";
     EXPECT_FALSE(model->input().tolerance->rotor_mass) << "the next crankshaft's is its own";
     EXPECT_TRUE(model->input().tolerance->service_speed);
-    QString said;
-    QObject::connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
     type("cylinders", u"6"_s);
     EXPECT_TRUE(has(said, u"previous crankshaft"_s));
     const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
