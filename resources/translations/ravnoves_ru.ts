@@ -17170,6 +17170,10 @@ but at this l no α is feasible</source>
 <context>
     <name>ravnoves::WorkshopPage</name>
     <message>
+        <source>Entries were not accepted when the program ended. Enter or check them again: %1</source>
+        <translation>Когда программа завершилась, были непринятые значения. Введите или проверьте их: %1</translation>
+    </message>
+    <message>
         <source>New job. Cleared: numbers, customer, typed and weighed masses, readings, holes and the crankshaft’s mass. Engine, machine, planes and drills are kept.</source>
         <translation>Новая работа. Очищены: номера, заказчик, введённые и взвешенные массы, показания, отверстия и масса вала. Двигатель, станок, плоскости и свёрла сохранены.</translation>
     </message>

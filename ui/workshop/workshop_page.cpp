@@ -134,6 +134,10 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
         say(said);
     });
     connect(model(), &SceneModel::restarted, this, [this] { say({}); });
+    connect(model_, &WorkshopModel::broughtWithoutRejected, this, [this](const QString& rejected) {
+        say(tr("Entries were not accepted when the program ended. Enter or check them again: %1")
+                .arg(rejected));
+    });
 }
 
 /// News of the journal or the card, until they are understood.

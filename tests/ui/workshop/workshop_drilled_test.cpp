@@ -100,6 +100,11 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
     EXPECT_TRUE(has(label("rejected"), model->planeName(static_cast<std::size_t>(hole(0).plane))));
     EXPECT_EQ(hole(0).depth, planned);
     EXPECT_TRUE(has(model->keepForSaving(), u"Depth"_s)) << "it is not saved with that";
+    // A copy for a crash has the depth before it, and says so.
+    model->takePlace(model->placeJson());
+    EXPECT_TRUE(has(label("banner"), u"check them again: "_s));
+    EXPECT_TRUE(has(label("banner"), u"Depth"_s));
+    click("banner_close");
     type("drilled_depth_1", {});
     EXPECT_FALSE(label("rejected").isEmpty()) << "none is not that before";
     type("drilled_depth_1", u"4.5"_s);

@@ -361,8 +361,14 @@ Json WorkshopModel::resultJson() const {
 }
 
 Json WorkshopModel::placeJson() const {
-    return desk_.jobId() == 0 ? Json()
-                              : Json{{"id", desk_.jobId()}, {"revision", desk_.jobRevision()}};
+    Json place;
+    if (desk_.jobId() != 0) {
+        place = {{"id", desk_.jobId()}, {"revision", desk_.jobRevision()}};
+    }
+    if (!rejected_.isEmpty()) {
+        place["rejected"] = rejected_.join(QLatin1Char(' ')).toStdString();
+    }
+    return place;
 }
 
 void WorkshopModel::takePlace(const Json& place) {
@@ -372,6 +378,10 @@ void WorkshopModel::takePlace(const Json& place) {
                    : 0;
     };
     desk_.setJob(number("id"), static_cast<int>(number("revision")));
+    if (place.is_object() && place.contains("rejected") && place.at("rejected").is_string()) {
+        Q_EMIT broughtWithoutRejected(
+            QString::fromStdString(place.at("rejected").get<std::string>()));
+    }
 }
 
 /// A sheet without a job, such as a preset's, becomes one as any new job is: of today.

@@ -315,6 +315,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void sheetChosen(int sheet);
     /// The engine differs from the previous job's, and lost the values of its crankshaft.
     void crankForgotten();
+    /// A recovery copy was loaded, beside which entries were not accepted.
+    void broughtWithoutRejected(const QString& rejected);
 
   protected:
     void aboutToLoad() override;
