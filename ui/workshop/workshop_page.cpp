@@ -541,8 +541,8 @@ int WorkshopPage::ask(const QString& question, const QStringList& answers, int u
     for (const QString& answer : answers) {
         buttons << box.addButton(answer, QMessageBox::AcceptRole);
     }
-    box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(buttons.at(usual));
+    QPushButton* stay = box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(buttons.value(usual, stay));
     box.exec();
     return static_cast<int>(
         buttons.indexOf(static_cast<QPushButton*>(box.clickedButton())));  // -1: to stay
@@ -561,13 +561,14 @@ bool WorkshopPage::isJobKnown() {
     if (same) {
         const int answer = ask(tr("The journal already has a job of %1 on this day, saved on %2.")
                                    .arg(here, timeText(same->saved)),
-                               {tr("&Replace it"), tr("Save as &another")}, 1);
+                               {tr("&Replace it"), tr("Save as &another")}, -1);
         if (answer != 0) {
             return answer == 1;
         }
         desk()->setJob(same->id, same->revision);
     }
     QString text;
+    int usual = 0;
     if (const QString there = same ? QString() : desk()->otherEngine(); !there.isEmpty()) {
         text = there == here
                    ? tr("The job of %1 in the journal is for another engine than the sheet.")
@@ -578,10 +579,12 @@ bool WorkshopPage::isJobKnown() {
         text = tr("The job of %1 in the journal is finished, verdict: %2. With this sheet the "
                   "verdict is: %3.")
                    .arg(here, verdictText(words, verdict), verdictText(words, onSheet.verdict));
+        usual = -1;
     } else {
         return true;
     }
-    const int answer = ask(text, {tr("Save as a &new job"), tr("&Change that job")}, 0);
+    // Of one engine a key that is pressed without reading makes no second job.
+    const int answer = ask(text, {tr("Save as a &new job"), tr("&Change that job")}, usual);
     if (answer == 0 || (same && answer < 0)) {
         desk()->setJob();
     }

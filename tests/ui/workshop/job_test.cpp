@@ -562,6 +562,10 @@ TEST_F(ReadJobTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
     type("piston", u"590"_s);
     EXPECT_TRUE(saveAnd(u"Cancel"_s).contains(u"another bob weight"_s));
+    whenModal<QMessageBox>(
+        [](QMessageBox* box) { QTest::mouseClick(box->defaultButton(), Qt::LeftButton); });
+    save();
+    ASSERT_EQ(jobs().size(), 1) << "nor is there a second job";
     EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
     fill({{"piston", "583.9"},
           {"cylinders", "2"},
