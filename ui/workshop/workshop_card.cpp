@@ -105,8 +105,8 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
                   words.translate("BobWeights", "Drilled from … to"),
                   words.translate("BobWeights", "Permissible residual")}}};
     const QString none = QStringLiteral("–");
-    // On a card with a STOP what is blank may be a rejected entry.
-    const bool isStopped = model.withheld().any();
+    // What is blank may be a rejected entry then, or what is wrong.
+    const bool isStopped = model.withheld().limits;
     const auto length = [&](const std::optional<double>& value) {
         return value ? words.plainWithUnit(*value, units::mm, 2) : none;
     };
@@ -125,9 +125,7 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
                 ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
             : isStopped || plane.has_half_sector() ? none
                                                    : words.text(field::from_angle.placeholder),
-            permissible && !model.withheld().limits
-                ? words.number((*permissible)[i], units::gram_mm, 1)
-                : none};
+            permissible && !isStopped ? words.number((*permissible)[i], units::gram_mm, 1) : none};
     }
     return block;
 }
