@@ -87,7 +87,7 @@ class WorkshopPage : public ScenePage {
     bool saveJob(bool isFinished);
     bool store(bool isFinished);
     /// Asks about a job of the journal. @return the place of the answer; -1 to stay
-    /// @param usual  that of the answer by Enter; -1 likewise
+    /// @param usual  place of the answer by Enter; -1 likewise
     int ask(const QString& question, const QStringList& answers, int usual);
     /// Asks where F2 would save a job without a name to find it by, make a second one of the same
     /// engine and day, or overwrite the job of another engine, or a verdict by readings that may be
