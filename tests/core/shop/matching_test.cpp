@@ -171,7 +171,12 @@ TEST_F(Matching, OfEightCylindersIsProven) {
             at.crank.angles = {0, 0.5 * pi, 1.5 * pi, pi};
             at.sheet.matching.goal = goal;
             at.sheet.matching.permitted_spread = 0.5 * gram;
-            EXPECT_TRUE(at.matched().proven) << static_cast<int>(goal) << ' ' << step;
+            const Matched best = at.matched();
+            EXPECT_TRUE(best.proven) << static_cast<int>(goal) << ' ' << step;
+            // The best of all placings, which exchanges of two sets do not reach.
+            if (goal == MatchingGoal::min_shaking && step == 1.0) {
+                EXPECT_NEAR(best.after.shaking->ends, 0.295638874 * gram, 1e-9 * gram);
+            }
         }
     }
 }
