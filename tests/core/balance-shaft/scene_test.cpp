@@ -165,16 +165,6 @@ class CsvBesideTheCase : public testing::Test {
     const std::filesystem::path folder_ = temporary_.path();
 };
 
-TEST_F(CsvBesideTheCase, GivesTheSameEngine) {
-    write_text_file(folder_ / "torque.csv", write_torque_table(preset_tmz_650d().torque.table));
-    const Input read = read_input(input(), CaseContext{folder_});
-    EXPECT_EQ(read.torque.kind, TorqueSource::Kind::csv);
-    EXPECT_EQ(read.torque.table, preset_tmz_650d().torque.table);
-    const Json written = write_input(read).at("torque");
-    EXPECT_EQ(written.at("csv"), "torque.csv");
-    EXPECT_EQ(written.size(), 2U);
-}
-
 TEST_F(CsvBesideTheCase, AnotherFileUnderItsNameIsReported) {
     TorqueTable table = preset_tmz_650d().torque.table;
     write_text_file(folder_ / "torque.csv", write_torque_table(table));

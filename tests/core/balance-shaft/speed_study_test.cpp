@@ -9,7 +9,6 @@
 #include "balance-shaft/input.h"
 #include "balance-shaft/presets.h"
 #include "case-file/json.h"
-#include "scenes/scenes.h"
 
 #include "test_cases.h"
 
@@ -216,18 +215,6 @@ TEST(SpeedStudy, ATableIsTakenToOtherSpeedsOnlyWhereItBelongsToItsMasses) {
     EXPECT_NEAR(study.points()[0].best_range, result.best_range.value, 1e-9);
     EXPECT_NEAR(study.points()[0].range_without, result.M_up.range, 1e-9);
     EXPECT_GT(study.points()[2].moment_amplitude, study.points()[0].moment_amplitude);
-}
-
-TEST(SpeedStudy, IsPrintedByACase) {
-    Json json = write_input(diesel());
-    json["speed_band"] = {{"from_rpm", 2000}, {"to_rpm", 3600}, {"speeds", 4}, {"map", true}};
-    EXPECT_EQ(write_input(read_input(json, {})).at("speed_band"), json.at("speed_band"));
-    const CaseFile file{"balance-shaft", "", json};
-    const Json result = solve_case(file, {}).at("result").at("speed_band");
-    EXPECT_EQ(result.at("speed_rpm").size(), 4U);
-    EXPECT_EQ(result.at("map").at("range_Nm").size(), 4U);
-    EXPECT_EQ(result.at("map").at("range_Nm").at(0).size(), 360U);
-    EXPECT_TRUE(result.at("least_bad").at("range").contains("worst_speed_rpm"));
 }
 
 }  // namespace

@@ -491,6 +491,7 @@ TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {
     ASSERT_EQ(test::error_of([&] { read = parse_cycle(Measured::torque, text, reading); }),
               "no error");
     EXPECT_EQ(read.cycles, 3U);
+    EXPECT_NE(read.describe().english().find("mean of 3 cycles"), std::string::npos);
     EXPECT_EQ(read.strokes, 2);
     ASSERT_EQ(read.table.torque.size(), 37U);
     EXPECT_EQ(read.table.torque[9], 91.0);

@@ -56,14 +56,10 @@ TEST(ElasticHingeCase, APreloadOfExactlyTheMinimumIsFeasible) {
     }
 }
 
-TEST(ElasticHingeCase, ResultHoldsMotionAndSearchWhereAsked) {
+TEST(ElasticHingeCase, TheSpringOfTheSearchMeetsTheWish) {
     Json json = ravnoves::test::example("zotov-energy").input;
-    json["motion"] = {{"turns", 3}};
     json["guide_search"] = {{"relief_mm", 1}, {"outer_diameter_mm", 250}};
     const Json result = result_json({}, read_input(json));
-    EXPECT_EQ(result.at("motion").at("with_crank_hinge").at("end"), "completed");
-    EXPECT_LT(result.at("motion").at("with_crank_hinge").at("speed_ripple"), 1e-9);
-    EXPECT_GT(result.at("motion").at("without_hinge").at("speed_ripple"), 0.5);
     EXPECT_EQ(result.at("guide_search").at("feasible"), true);
     json["spring"] = result.at("guide_search").at("spring");
     EXPECT_NEAR(result_json({}, read_input(json)).at("guide").at("relief_mm").get<double>(), 1.0,

@@ -194,18 +194,5 @@ TEST(TwoStrokes, FireWhenTheyComeToTheTop) {
     EXPECT_TRUE(solve(table).firing.empty());
 }
 
-TEST(TwoStrokes, OthersAreRejected) {
-    Json json = write_input(engine_of("i3"));
-    for (const int strokes : {1, 3, 5}) {
-        json["strokes"] = strokes;
-        EXPECT_EQ(test::rejection_of(json),
-                  "/input/strokes: must be 2 or 4, got " + std::to_string(strokes));
-    }
-    json["strokes"] = 2;
-    EXPECT_EQ(write_input(read_input(json)).at("strokes"), 2);
-    json["strokes"] = 4;
-    EXPECT_FALSE(write_input(read_input(json)).contains("strokes"));
-}
-
 }  // namespace
 }  // namespace ravnoves::inertia_moments

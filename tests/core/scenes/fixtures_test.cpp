@@ -147,26 +147,5 @@ TEST(Examples, HaveTheNumbersOfTheContract) {
     EXPECT_EQ(scenes.size(), scene_solvers().size());
 }
 
-TEST(Fixtures, ADifferenceIsFound) {
-    const Json was = parse_json(R"({"a_mm": 1, "b": {"0": 1e3, "20": 0}, "w": "x", "s": "a b"})");
-    Json is = parse_json(R"({"a_mm": 1, "b": [1e3], "w": "x", "s": "c d", "more": 1})");
-    is["b"].insert(is["b"].end(), 20, Json(1e-10));
-    EXPECT_EQ(test::first_of(test::differences("n", was, is, {})), "0 differences");
-    is["b"][20] = 1e-8;
-    is["a_mm"] = 1.00001;
-    is["w"] = nullptr;
-    EXPECT_EQ(test::differences("n", was, is, {}),
-              (std::vector<std::string>{"n/a_mm was 1, is 1.00001", "n/b/20 was 0, is 1e-08",
-                                        "n/w was \"x\", is null"}));
-    const std::vector<Difference> allowed{
-        {"n/a*", "moved", 1e-4}, {"n/b/20", "moved too little", 1e-4}, {"n/w", "went"}};
-    EXPECT_EQ(test::differences("n", was, is, allowed),
-              (std::vector<std::string>{"n/b/20 was 0, is 1e-08"}));
-    is.erase("a_mm");
-    is["w"] = "x";
-    EXPECT_EQ(test::differences("n", was, is, allowed),
-              (std::vector<std::string>{"n/a_mm is gone", "n/b/20 was 0, is 1e-08"}));
-}
-
 }  // namespace
 }  // namespace ravnoves
