@@ -7,6 +7,7 @@
 #include <random>
 
 #include "balance-shaft/position_study.h"
+#include "balance-shaft/shaft_places.h"
 #include "balance-shaft/speed_study.h"
 #include "case-file/json.h"
 #include "test_cases.h"
@@ -39,60 +40,26 @@ TEST(FrontView, SizesThatAreNotGivenAreThoseThatTheFieldsName) {
 
 using test::diesel;
 
-/// The same by brute force: the rod at many places, points along its middle line.
-ShaftClearance dense_clearance(const FrontView& view, double alpha) {
-    const double x = view.centre_distance * std::sin(alpha);
-    const double y = view.centre_distance * std::cos(alpha);
-    double rod = 1e300;
-    constexpr int turns = 1440;
-    constexpr int points = 400;
-    for (int i = 0; i < turns; ++i) {
-        const double theta = two_pi * i / turns;
-        const double pin_x = view.crank_radius * std::sin(theta);
-        const double pin_y = view.crank_radius * std::cos(theta);
-        const double across = view.offset - pin_x;
-        const double piston_y =
-            pin_y + std::sqrt(view.rod_length * view.rod_length - across * across);
-        for (int k = 0; k <= points; ++k) {
-            const double t = 1.0 * k / points;
-            rod = std::min(rod,
-                           std::hypot(pin_x + t * across - x, pin_y + t * (piston_y - pin_y) - y));
-        }
-    }
-    double cylinder = 1e300;
-    const double half = view.cylinder_bore / 2.0 + view.cylinder_wall;
-    for (int i = 0; i <= points; ++i) {
-        for (int k = 0; k <= points; ++k) {
-            const double at_x = view.offset + half * (2.0 * i / points - 1.0);
-            const double at_y =
-                view.cylinder_bottom + (view.cylinder_top - view.cylinder_bottom) * k / points;
-            cylinder = std::min(cylinder, std::hypot(at_x - x, at_y - y));
-        }
-    }
-    return {view.centre_distance - view.crank_swing_radius - view.shaft_swing_radius,
-            cylinder - view.shaft_swing_radius,
-            rod - view.rod_width / 2.0 - view.shaft_swing_radius};
-}
-
-TEST(Clearance, IsThatOfBruteForce) {
+TEST(Clearance, IsThatOfCrankCylinderAndRod) {
     for (const double offset : {0.0, 0.012, -0.012}) {
         Input input = diesel();
         input.cylinder.offset = offset;
         const FrontView view = front_view(input);
+        const double swing = view.shaft_swing_radius;
+        const double half = view.cylinder_bore / 2.0 + view.cylinder_wall;
+        const Eigen::AlignedBox2d cylinder(Eigen::Vector2d(offset - half, view.cylinder_bottom),
+                                           Eigen::Vector2d(offset + half, view.cylinder_top));
         for (const double alpha : {0.1, 0.6, 1.0, 1.3, 2.0, 3.0, 4.4, 5.2, 5.7}) {
+            const Eigen::Vector2d place =
+                view.centre_distance * Eigen::Vector2d(std::sin(alpha), std::cos(alpha));
             const ShaftClearance found = shaft_clearance(view, alpha);
-            const ShaftClearance dense = dense_clearance(view, alpha);
-            EXPECT_NEAR(found.crank, dense.crank, 1e-15);
-            // Points along the rod tell little where the axis lies on it.
-            if (dense.rod > 5e-3 - view.rod_width / 2.0 - view.shaft_swing_radius) {
-                EXPECT_NEAR(found.rod, dense.rod, 2e-5) << alpha;
-            }
-            EXPECT_LE(found.rod, dense.rod + 1e-12);
-            if (dense.cylinder > -view.shaft_swing_radius + 1e-3) {  // the axis is outside
-                EXPECT_NEAR(found.cylinder, dense.cylinder, 2e-4) << alpha;
-                EXPECT_LE(found.cylinder, dense.cylinder + 1e-12);
+            EXPECT_NEAR(found.crank, view.centre_distance - view.crank_swing_radius - swing, 1e-15);
+            EXPECT_NEAR(found.rod + view.rod_width / 2.0 + swing,
+                        RodSweep(view).nearer_than(place, 1e3)->distance, 1e-12);
+            if (const double outside = cylinder.exteriorDistance(place); outside > 0.0) {
+                EXPECT_NEAR(found.cylinder + swing, outside, 1e-12) << alpha;
             } else {
-                EXPECT_LE(found.cylinder, -view.shaft_swing_radius);
+                EXPECT_LE(found.cylinder, -swing) << alpha;
             }
         }
     }

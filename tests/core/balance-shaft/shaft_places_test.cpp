@@ -79,13 +79,15 @@ TEST(ShaftPlacesTest, aPolygonLosesNothingThatItHasNoRoomFor) {
 }
 
 TEST(RodSweepTest, theNearestRodIsThatOfBruteForce) {
-    const Solver solver(preset_tmz_650d());
-    const FrontView& view = solver.front_view();
-    const RodSweep rods(view);
-    const SliderCrank<double> crank = view.crank();
     std::mt19937 random(5);
     std::uniform_real_distribution<double> coordinate(-0.15, 0.35);
     for (int i = 0; i < 300; ++i) {
+        Input input = preset_tmz_650d();
+        input.cylinder.rod_length = 0.150;
+        input.cylinder.offset = 0.012 * (i % 3 - 1);
+        const FrontView view = front_view(input);
+        const RodSweep rods(view);
+        const SliderCrank<double> crank = view.crank();
         const double x = coordinate(random);
         const double y = coordinate(random);
         const Eigen::Vector2d place(x, y);
