@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QLabel>
 #include <QTabWidget>
 #include <QTest>
 #include <QToolButton>
@@ -46,10 +45,10 @@ const std::map<std::string, const char*> filledBy{
     {withoutPlugs, "bob-weights-v8.case.json"},
 };
 
-class PictureTest : public ::testing::Test {
+class PageGolden : public ::testing::TestWithParam<std::tuple<std::string, const char*>> {
   protected:
-    PictureTest() { Journal::setKept(false); }  // neither today's date nor anybody's jobs
-    ~PictureTest() override {
+    PageGolden() { Journal::setKept(false); }  // neither today's date nor anybody's jobs
+    ~PageGolden() override {
         Theme::instance().setMode(Theme::Mode::Light);
         installLanguage(u"en"_s);
         Journal::setKept(true);
@@ -148,9 +147,6 @@ class PictureTest : public ::testing::Test {
     std::unique_ptr<MainWindow> window;
 };
 
-class PageGolden : public PictureTest,
-                   public ::testing::WithParamInterface<std::tuple<std::string, const char*>> {};
-
 TEST_P(PageGolden, LooksAsItDid) {
     const auto& [scene, language] = GetParam();
     const bool renews = qEnvironmentVariableIsSet("RAVNOVES_UPDATE_GOLDEN");
@@ -217,40 +213,6 @@ INSTANTIATE_TEST_SUITE_P(Pages, PageGolden,
                              return test::testName(std::get<0>(each.param)) + "_" +
                                     std::get<1>(each.param);
                          });
-
-/// What a careless change does to a page does not pass.
-class Change : public PictureTest {
-  protected:
-    Change() {
-        window = std::make_unique<MainWindow>();
-        open("elastic-hinge");
-        QTest::qWait(rest);
-        stored = Golden::stepped(Golden::half(picture()));
-    }
-    Golden::Comparison now() { return Golden::compare(stored, Golden::half(picture())); }
-
-    QImage stored;
-};
-
-TEST_F(Change, AMovedLabelIsSeen) {
-    int moved = 0;
-    for (QLabel* label : window->currentPage()->findChildren<QLabel*>()) {
-        // Of one that its scroll area cuts nothing but its margin may be seen.
-        const QRect seen = label->visibleRegion().boundingRect();
-        if (!label->isVisible() || seen.height() < label->height() || label->text().size() < 6) {
-            continue;
-        }
-        ++moved;
-        for (const QPoint& by : {QPoint(2, 0), QPoint(0, 1)}) {
-            label->move(label->pos() + by);
-            EXPECT_FALSE(now().isSame())
-                << label->text().toStdString() << " moved by " << by.x() << ", " << by.y();
-            label->move(label->pos() - by);
-        }
-    }
-    EXPECT_GT(moved, 10);
-    EXPECT_EQ(now().differing, 0);
-}
 
 }  // namespace
 }  // namespace ravnoves
