@@ -27,6 +27,13 @@ class PageTest : public ::testing::Test {
     }
     NumberField* field(const char* name) { return find<NumberField>(name); }
     void type(const char* name, const QString& text) { test::type(field(name), text); }
+    /// Empties a field and presses Enter.
+    void blank(const char* name) {
+        field(name)->setFocus();
+        field(name)->selectAll();
+        QTest::keyClick(field(name), Qt::Key_Delete);
+        QTest::keyClick(field(name), Qt::Key_Return);
+    }
     /// Presses a button or ticks a box.
     void press(const char* name) {
         auto* button = find<QAbstractButton>(name);

@@ -130,32 +130,6 @@ TEST_F(ImportTest, ANegativePressureIsAskedAbout) {
         << qPrintable(import.troubleText());
 }
 
-TEST_F(ImportTest, CyclesAreAveragedByTheLengthThatIsChosen) {
-    std::string text = "deg;bar\n";
-    for (int turn = 0; turn < 4; ++turn) {
-        for (int i = 0; i < 36; ++i) {
-            text += std::to_string(360 * turn + 10 * i) + ";" +
-                    std::to_string(i == 18 ? 40 + 10 * (turn % 2) : 1 + i % 2) + "\n";
-        }
-    }
-    ASSERT_TRUE(read(file(text)));
-    for (const int strokes : {4, 2}) {
-        TableReading decided;
-        decided.strokes = strokes;
-        import.decide(decided);
-        ASSERT_TRUE(isRead());
-        EXPECT_TRUE(import.understoodText().contains(
-            strokes == 4 ? QStringLiteral("mean of 2 cycles") : QStringLiteral("mean of 4 cycles")))
-            << qPrintable(import.understoodText());
-        balance_shaft::Input input = model->input();
-        import.putTraceInto(input);
-        EXPECT_EQ(input.strokes, strokes);
-        const auto& pressure = input.torque.trace.pressure;
-        EXPECT_NEAR(*std::max_element(pressure.begin(), pressure.end()), strokes == 4 ? 50e5 : 45e5,
-                    1.0);
-    }
-}
-
 // What is typed of the engine does not change in silence.
 TEST_F(ImportTest, ACycleOfAnotherEngineIsAskedAbout) {
     const char* const rows[] = {"deg;bar\n0;1\n90;2\n180;40\n270;3\n360;1\n",
@@ -294,6 +268,7 @@ TEST_F(ImportTest, TheWindowShowsAndChangesHowAFileIsRead) {
     ASSERT_EQ(model->input().torque.kind, balance_shaft::TorqueSource::Kind::pressure);
     EXPECT_NEAR(model->input().torque.trace_shift / degree, 360.0 - late, 0.5);
     EXPECT_TRUE(model->result().doubts.empty());
+    EXPECT_EQ(find<QLabel>("trace_file")->text(), QStringLiteral("Pressure trace: trace.csv."));
     const balance_shaft::Input again = reopened();
     EXPECT_EQ(again.torque.trace, model->input().torque.trace);
     EXPECT_EQ(again.torque.trace_file.reading, model->input().torque.trace_file.reading);

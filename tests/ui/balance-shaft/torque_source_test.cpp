@@ -7,16 +7,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
-#include <QTemporaryDir>
 #include <QToolButton>
-#include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/torque_table_model.h"
 #include "case-file/case_file.h"
-#include "case-file/text_file.h"
-#include "import_file.h"
 #include "page_fixture.h"
 #include "text/preferences.h"
 #include "text/shown_units.h"
@@ -46,66 +42,6 @@ TEST_F(TorqueSourceTest, TheComputedCycleStartsAtTheLoadOfTheTable) {
     EXPECT_EQ(model->input().torque.kind, Kind::table);
     EXPECT_NEAR(model->result().M_up.range, 1208.0, 1e-9);
     EXPECT_TRUE(model->cycle().rows.isEmpty());
-}
-
-TEST_F(TorqueSourceTest, ChangingTheSourceLosesNoSizeOfTheCylinder) {
-    model->editField("/cylinder/bore_mm", 92.0,
-                     QStringLiteral("Bore"));  // the stroke, as by default
-    model->editField("/cylinder/rod_length_mm", 141.0, QStringLiteral("Rod"));
-    model->editField("/cylinder/offset_mm", 3.0, QStringLiteral("Offset"));
-    const auto typed = model->input().cylinder;
-    for (const int source : {2, 0, 2, 0}) {
-        choose(source);
-        EXPECT_EQ(model->input().cylinder, typed) << source;
-        EXPECT_EQ(field("bore_mm")->value(), 92.0);
-        EXPECT_EQ(field("rod_length_mm")->value(), 141.0);
-        EXPECT_EQ(field("offset_mm")->value(), 3.0);
-    }
-}
-
-TEST_F(TorqueSourceTest, ATraceOfOneTurnMakesATwoStrokeAndAnOddOneANote) {
-    const QTemporaryDir folder;
-    const auto import = [&](double shift) {
-        QString csv = QStringLiteral("angle,pressure bar\n");
-        for (int i = 0; i < 360; ++i) {
-            const double turn = std::cos((i - shift) * degree);
-            csv += QStringLiteral("%1,%2\n").arg(i).arg(1.1 + 40.0 * std::exp(12.0 * (turn - 1.0)));
-        }
-        const QString path = folder.filePath(QStringLiteral("p.csv"));
-        write_text_file(path.toStdString(), csv.toStdString());
-        test::importBy(
-            page, [&] { source->importTrace(path); },
-            [](ImportDialog& dialog) {
-                test::chooseCycle(dialog, 2);
-                test::keepAngles(dialog);
-            });
-    };
-    import(100.0);
-    EXPECT_EQ(model->input().strokes, 2);
-    EXPECT_EQ(model->result().curves.crank_angle_deg.back(), 360.0);
-    EXPECT_TRUE(find<QLabel>("verdict")->text().contains(QStringLiteral("Check the phase")));
-}
-
-TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("trace.csv"));
-    std::string text = "crank angle, deg;p, bar\n";
-    for (int phi = 0; phi <= 720; phi += 5) {
-        const double away = (phi - 365.0) / 40.0;
-        text +=
-            std::to_string(phi) + ";" + std::to_string(1.0 + 60.0 * std::exp(-away * away)) + "\n";
-    }
-    write_text_file(path.toStdString(), text);
-    test::importBy(page, [&] { source->importTrace(path); });
-    EXPECT_EQ(model->input().torque.kind, Kind::pressure);
-    ASSERT_TRUE(model->result().indicated.has_value());
-    EXPECT_NEAR(model->result().indicated->peak_pressure, 61e5, 1e3);
-    EXPECT_EQ(find<QLabel>("trace_file")->text(), QStringLiteral("Pressure trace: trace.csv."));
-    write_text_file(path.toStdString(), "0;1\n360;x\n720;1\n");
-    EXPECT_TRUE(test::importBy(page, [&] {
-                    source->importTrace(path);
-                }).contains(QStringLiteral("line 2")));
-    EXPECT_EQ(model->input().torque.kind, Kind::pressure);
 }
 
 TEST_F(TorqueSourceTest, ACaseWithAComputedCycleAloneLeadsToATable) {
@@ -228,19 +164,6 @@ TEST_F(TorqueSourceTest, ABlockWithoutRoomIsRejectedInWords) {
     EXPECT_TRUE(paste(table.rowCount() - 2, QStringLiteral("1\n2\n3\n"))
                     .contains(QStringLiteral("3 rows")));
     EXPECT_EQ(model->input().torque.table, before);
-}
-
-TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {
-    const auto table = model->input().torque.table;
-    choose(2);
-    const CaseFile file = model->caseFile();
-    ASSERT_TRUE(file.kept.contains("torque")) << file.kept.dump();
-    model->loadFile(BalanceShaftModel().caseFile(), {});
-    model->loadFile(file, {});
-    EXPECT_EQ(model->input().torque.table, table);
-    choose(0);
-    EXPECT_EQ(model->input().torque.kind, Kind::table);
-    EXPECT_TRUE(model->keptJson().at("torque").contains("cycle"));
 }
 
 }  // namespace
