@@ -10,9 +10,13 @@
 #include <QSlider>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "csv_lines.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/presets.h"
 #include "page_fixture.h"
@@ -225,21 +229,16 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
     // A copy: the edit below makes another guide.
     const std::vector<double> radius = model->shownGuide().radius_compressed;
     const double largest = *std::max_element(radius.begin(), radius.end()) / units::mm;
-    const CsvFormat format{QLocale(QLocale::Russian)};  // no comma between columns
-    const QStringList lines = plot->csv(format).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-    const QStringList names = lines[0].split(QStringLiteral(";"));
-    const auto column = std::find_if(names.begin(), names.end(), [](const QString& name) {
-        return name.contains(QStringLiteral("compressed: x"));
+    const auto lines = test::csv_lines(plot->csv(CsvFormat(QLocale::c())).toStdString());
+    const auto x = std::ranges::find_if(lines[0], [](const std::string& name) {
+        return name.find("compressed: x") != std::string::npos;
     });
-    ASSERT_NE(column, names.end()) << lines[0].toStdString();
+    const auto column = static_cast<std::size_t>(x - lines[0].begin());
+    ASSERT_LT(column + 1, lines[0].size());
     double found = 0.0;
-    for (const QString& line : lines.mid(1)) {
-        const QStringList cells = line.split(QStringLiteral(";"));
-        const auto at = static_cast<qsizetype>(column - names.begin());
-        const auto number = [&](qsizetype cell) {
-            return QString(cells[cell]).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
-        };
-        found = std::max(found, std::hypot(number(at), number(at + 1)));
+    for (const auto& line : lines) {  // words are 0
+        const auto number = [&](std::size_t cell) { return std::atof(line.at(cell).c_str()); };
+        found = std::max(found, std::hypot(number(column), number(column + 1)));
     }
     EXPECT_NEAR(found, largest, 1e-6 * largest);
 
