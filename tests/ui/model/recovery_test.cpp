@@ -305,14 +305,6 @@ TEST_F(DiskTest, TheSameContentAgainIsNoChange) {
     EXPECT_EQ(look(), FileOnDisk::State::Same);
 }
 
-TEST_F(DiskTest, MineIsKeptAndNeedsSaving) {
-    writeByOthers(25.0);
-    EXPECT_EQ(look(), FileOnDisk::State::Changed);
-    document.keepMine();
-    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
-    EXPECT_TRUE(document.needsSaving());
-}
-
 TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
     ASSERT_TRUE(QFile::remove(path));
     EXPECT_EQ(look(), FileOnDisk::State::Missing);
@@ -357,15 +349,6 @@ TEST_F(DiskTest, TheLastCopyNeedsSaving) {
     EXPECT_TRUE(isLast());
     EXPECT_EQ(document.saveTo(path), QString());
     EXPECT_FALSE(isLast());
-}
-
-TEST_F(DiskTest, AReadOnlyFileStaysAsItIs) {
-    QFile file(path);
-    ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::ReadGroup));
-    model.set("square", 16.0);
-    EXPECT_TRUE(document.saveTo(path).contains(QStringLiteral("read-only")));
-    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
-    EXPECT_TRUE(document.needsSaving());
 }
 
 }  // namespace

@@ -96,18 +96,11 @@ TEST_F(DocumentsTest, AFileThatIsOpenComesToTheFront) {
 TEST_F(DocumentsTest, WhatIsWrongWithAFileIsSaidInWords) {
     open(u"vr5-volkswagen"_s);
     const std::size_t open = window->documents().all().size();
-    Json good = Json::parse(CaseDocument::read(example(u"tmz-650d"_s)).input.dump());
-    const auto trouble = [&](const char* pointer, const Json& value) {
-        Json document{{"format", "ravnoves-case"},
-                      {"version", 1},
-                      {"scene", "balance-shaft"},
-                      {"input", good}};
-        document[Json::json_pointer(pointer)] = value;
-        const QString bad = folder.filePath(u"bad.json"_s);
-        test::writeFile(bad, QByteArray::fromStdString(document.dump()));
-        return window->openCase(bad).mid(bad.size() + 2);
-    };
-    EXPECT_EQ(trouble("/input/crank_radius_mm", -46),
+    CaseFile file = CaseDocument::read(example(u"tmz-650d"_s));
+    file.input["crank_radius_mm"] = -46;
+    const QString bad = folder.filePath(u"bad.json"_s);
+    test::writeFile(bad, QByteArray::fromStdString(write_case(file).dump()));
+    EXPECT_EQ(window->openCase(bad).mid(bad.size() + 2),
               u"Crank radius r: must be greater than 0, got −46"_s);
     EXPECT_EQ(window->documents().all().size(), open);
     EXPECT_EQ(window->currentScene(), u"inertia-moments"_s);

@@ -94,19 +94,6 @@ TEST_F(Faults, AFullDiskKeepsTheJobOnTheSheet) {
     EXPECT_EQ(desk->journal()->openMessage(), QString());
 }
 
-TEST_F(Faults, AFolderThatVanishedIsSaidAndAnotherTaken) {
-    const QString other = folder.filePath(u"elsewhere.case.json"_s);
-    ASSERT_TRUE(QFileInfo(file).dir().removeRecursively());
-    change(77);
-    QTest::qWait(900);
-    const QString trouble = saveSaid();
-    EXPECT_TRUE(window->isWindowModified());
-    EXPECT_FALSE(trouble.isEmpty());
-    EXPECT_EQ(document().saveTo(other), QString());
-    EXPECT_EQ(CaseDocument::read(other).input.value("shaft_angle_deg", 0.0), 77);
-    EXPECT_FALSE(window->isWindowModified());
-}
-
 TEST_F(Faults, WithoutAPrinterTheDialogsComeAndGo) {
     ASSERT_TRUE(window->showScene(u"workshop"_s));
     int dialogs = 0;

@@ -15,6 +15,8 @@
 #include <QTableView>
 #include <QToolTip>
 
+#include "balance-shaft/presets.h"
+#include "balance-shaft/torque_table.h"
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "files.h"
@@ -46,19 +48,16 @@ class SavingTest : public test::WindowTest {
         EXPECT_FALSE(field->trouble().isEmpty()) << name;
         window->currentPage()->setFocus();
     }
+    balance_shaft::TorqueTable torque = balance_shaft::preset_tmz_650d().torque.table;
+
     /// The example with its torque in a file beside it.
     QString caseWithTable(const char* folderName) {
         EXPECT_TRUE(QDir(folder.path()).mkpath(QString::fromUtf8(folderName)));
         const QString path = file(folderName) + QStringLiteral("/engine.case.json");
         Json content = read(QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"));
         content["title"] = "Mine";
-        const Json torque = content["input"]["torque"];
-        std::string table;
-        for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
-            table +=
-                torque["crank_angle_deg"][i].dump() + "," + torque["torque_Nm"][i].dump() + "\n";
-        }
-        write_text_file(fsPath(file(folderName) + QStringLiteral("/момент.csv")), table);
+        write_text_file(fsPath(file(folderName) + QStringLiteral("/момент.csv")),
+                        balance_shaft::write_torque_table(torque));
         content["input"]["torque"] = {{"csv", "момент.csv"}};
         write_text_file(fsPath(path), content.dump());
         return path;
@@ -407,10 +406,8 @@ TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
     const auto isSaid = [&] { return notice->isVisible(); };
     const Json before = model().resultJson();
     const QString table = file("a/момент.csv");
-    std::string text = read_text_file(fsPath(table));
-    const std::size_t second = text.find(',', text.find('\n')) + 1;
-    text.replace(second, text.find('\n', second) - second, "100");
-    write_text_file(fsPath(table), text);
+    torque.torque[1] = 100.0;
+    write_text_file(fsPath(table), balance_shaft::write_torque_table(torque));
     lookAgain();
     ASSERT_TRUE(isSaid());
     EXPECT_TRUE(notice->findChild<QLabel*>()->text().contains(QStringLiteral("момент.csv")));

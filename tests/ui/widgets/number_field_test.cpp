@@ -241,16 +241,6 @@ TEST_F(NumberFieldTest, OfATableThatIsPastedIntoAFieldTheBeginningIsQuoted) {
     EXPECT_LT(field.trouble().size(), 80) << qPrintable(field.trouble());
 }
 
-TEST_F(NumberFieldTest, EmptyIsAllowedOnlyWhereOptional) {
-    QTest::keyClick(&field, Qt::Key_Delete);
-    EXPECT_FALSE(field.trouble().isEmpty());
-    field.setOptional(true);
-    QTest::keyClicks(&field, QStringLiteral("5"));
-    QTest::keyClick(&field, Qt::Key_Backspace);
-    EXPECT_TRUE(field.trouble().isEmpty());
-    EXPECT_EQ(field.value(), std::nullopt);
-}
-
 TEST(NumberText, WritesWhatAPersonWants) {
     const QLocale english(QLocale::English);
     const QLocale russian(QLocale::Russian);
