@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
@@ -46,36 +47,21 @@ Input without_articulated(Input input) {
 
 // ------------------------------------------------------------- the closure, written here again
 
-using Point = std::array<Real50, 2>;
+using Point = Eigen::Matrix<Real50, 2, 1>;
 
-Point operator+(const Point& a, const Point& b) {
-    return {a[0] + b[0], a[1] + b[1]};
-}
-Point operator-(const Point& a, const Point& b) {
-    return {a[0] - b[0], a[1] - b[1]};
-}
-Point operator*(const Real50& k, const Point& a) {
-    return {k * a[0], k * a[1]};
-}
-Real50 dot(const Point& a, const Point& b) {
-    return a[0] * b[0] + a[1] * b[1];
-}
-Real50 cross(const Point& a, const Point& b) {
-    return a[0] * b[1] - a[1] * b[0];
-}
-Point turned(const Point& a, const Real50& angle) {
-    return {cos(angle) * a[0] - sin(angle) * a[1], sin(angle) * a[0] + cos(angle) * a[1]};
+/// On the circle about the origin, from y towards −x.
+Point on_circle(const Real50& radius, const Real50& angle) {
+    return {-radius * sin(angle), radius * cos(angle)};
 }
 
 /// The piston pin on its axis at a distance from a point: Newton's method from far outside.
 Point piston_pin(const Cylinder& cylinder, const Point& foot, const Real50& length) {
-    const Real50 beta(cylinder.bank_angle);
-    const Point axis{-sin(beta), cos(beta)};
-    const Point origin = Real50(cylinder.offset) * Point{-axis[1], axis[0]};
-    Real50 s = Real50(3) * (length + sqrt(dot(foot, foot)));
+    const Point axis = on_circle(1, Real50(cylinder.bank_angle));
+    const Point origin = Real50(cylinder.offset) * axis.unitOrthogonal();
+    Real50 s = Real50(3) * (length + foot.norm());
     for (int step = 0; step < 100; ++step) {
         const Point rod = origin + s * axis - foot;
-        s -= (dot(rod, rod) - length * length) / (Real50(2) * dot(rod, axis));
+        s -= (rod.squaredNorm() - length * length) / (Real50(2) * rod.dot(axis));
     }
     return origin + s * axis;
 }
@@ -96,7 +82,7 @@ PinPlaces places_at(const Input& input, const std::vector<std::size_t>& masters,
         const Cylinder& cylinder = input.cylinders[i];
         const Real50 angle =
             phi + Real50(input.cylinders[0].bank_angle) + Real50(cylinder.crankpin_angle);
-        const Point pin{-radius * sin(angle), radius * cos(angle)};
+        const Point pin = on_circle(radius, angle);
         places.pins.push_back(pin);
         places.feet.push_back(pin);
         if (!cylinder.articulated) {
@@ -109,7 +95,8 @@ PinPlaces places_at(const Input& input, const std::vector<std::size_t>& masters,
         const Real50 gamma = rod.knuckle_angle
                                  ? Real50(*rod.knuckle_angle)
                                  : Real50(cylinder.bank_angle) - Real50(master.bank_angle);
-        places.feet.back() = pin + Real50(rod.knuckle_radius) / length * turned(along, gamma);
+        places.feet.back() =
+            pin + Real50(rod.knuckle_radius) / length * (Eigen::Rotation2D<Real50>(gamma) * along);
         const Real50 own_length =
             rod.rod_length ? Real50(*rod.rod_length) : length - Real50(rod.knuckle_radius);
         places.pistons.push_back(piston_pin(cylinder, places.feet.back(), own_length));
@@ -154,23 +141,23 @@ TEST(ArticulatedRods, ForcesAreThoseOfMomentumAndEnergy) {
             at[static_cast<std::size_t>(j)] =
                 places_at(input, star_masters, Real50(phi) + Real50(j - 2) * h);
         }
-        Point force{0, 0};
-        Point moment{0, 0};
+        Point force = Point::Zero();
+        Point moment = Point::Zero();
         Real50 roll(0);
         Real50 energy_rate(0);
         const auto add = [&](const Real50& mass, auto&& list, std::size_t i, const Real50& z) {
-            const auto place = [&](std::size_t j) { return list(at.at(j))[i]; };
-            const auto speed = [&](std::size_t j) {
+            const auto place = [&](std::size_t j) -> const Point& { return list(at.at(j))[i]; };
+            const auto speed = [&](std::size_t j) -> Point {
                 return Real50(1) / (Real50(2) * h) * (place(j + 1) - place(j - 1));
             };
             const Point acceleration =
                 Real50(1) / (h * h) * (place(3) - Real50(2) * place(2) + place(1));
             const Real50 factor = -mass * omega * omega;
-            force = force + factor * acceleration;
-            moment = moment + factor * z * acceleration;
-            roll += factor * cross(place(2), acceleration);
+            force += factor * acceleration;
+            moment += factor * z * acceleration;
+            roll += factor * place(2).unitOrthogonal().dot(acceleration) * place(2).norm();
             energy_rate -=
-                factor * (dot(speed(3), speed(3)) - dot(speed(1), speed(1))) / (Real50(4) * h);
+                factor * (speed(3).squaredNorm() - speed(1).squaredNorm()) / (Real50(4) * h);
         };
         for (std::size_t i = 0; i < input.cylinders.size(); ++i) {
             const Cylinder& cylinder = input.cylinders[i];
