@@ -1,17 +1,14 @@
 #include "balance-shaft/relieved_shaft.h"
 
-#include <dxflib/dl_creationadapter.h>
-#include <dxflib/dl_dxf.h>
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
-#include <map>
-#include <sstream>
 
 #include "balance-shaft/input.h"
 #include "balance-shaft/presets.h"
 #include "case-file/json.h"
+#include "dxf_drawing.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
@@ -201,37 +198,13 @@ TEST(RelievedShaft, CasesWithSizesOfItsBendingOpenAndSaySo) {
     EXPECT_NE(error_of([&] { read_input(json, {}); }), "no error");
 }
 
-/// What dxflib reads back.
-class Reader : public DL_CreationAdapter {
-  public:
-    void addLayer(const DL_LayerData& layer) override { layers.push_back(layer.name); }
-    void addArc(const DL_ArcData& arc) override { arcs.emplace(attributes.getLayer(), arc); }
-    void addLine(const DL_LineData& line) override { lines.emplace(attributes.getLayer(), line); }
-    void addVertex(const DL_VertexData& vertex) override { vertices.push_back(vertex); }
-    void addText(const DL_TextData& text) override {
-        notes.push_back(text.text);
-        places.push_back(text);
-    }
-
-    std::vector<std::string> layers;
-    std::multimap<std::string, DL_ArcData> arcs;
-    std::multimap<std::string, DL_LineData> lines;
-    std::vector<DL_VertexData> vertices;
-    std::vector<std::string> notes;
-    std::vector<DL_TextData> places;  ///< of the notes
-};
-
 TEST(RelievedShaftDxf, ReadsBackAsTheSectionThatWasDesigned) {
     const RelievedShaft shaft = design_relieved_shaft({0.056, std::nullopt, 0.35}, needed);
     ASSERT_TRUE(shaft.feasible);
     const std::string text = relieved_shaft_dxf(shaft);
-    Reader reader;
-    std::stringstream stream(text);
-    DL_Dxf dxf;
-    ASSERT_TRUE(dxf.in(stream, &reader));
+    const ravnoves::test::DxfDrawing reader(text);
     for (const char* layer : {"SHAFT", "REMOVED", "AXIS", "NOTE"}) {
-        EXPECT_NE(std::find(reader.layers.begin(), reader.layers.end(), layer),
-                  reader.layers.end());
+        EXPECT_TRUE(reader.layers.contains(layer)) << layer;
     }
     ASSERT_EQ(reader.arcs.count("SHAFT"), 1U);
     const DL_ArcData arc = reader.arcs.find("SHAFT")->second;
@@ -259,10 +232,10 @@ TEST(RelievedShaftDxf, ReadsBackAsTheSectionThatWasDesigned) {
     }
     moment -= flat.y1 * flat.y1 / 2.0 * (flat.x1 - flat.x2);
     EXPECT_NEAR(-moment * 1e-9 * shaft.length * 7850.0, needed, 1e-6 * needed);
-    EXPECT_EQ(reader.vertices.size(), 8U);
-    EXPECT_TRUE(reader.notes.front().starts_with("Balance shaft"));
+    EXPECT_EQ(reader.polylines.at("SHAFT").points.size(), 8U);
+    EXPECT_TRUE(reader.texts.front().text.starts_with("Balance shaft"));
     double lowest = -1.2 * 28.0;  // the end of the section's axes
-    for (const DL_TextData& note : reader.places) {
+    for (const DL_TextData& note : reader.texts) {
         EXPECT_LT(note.ipy + note.height, lowest) << note.text;
         lowest = note.ipy;
     }

@@ -1,68 +1,20 @@
 #include "elastic-hinge/guide_export.h"
 
-#include <dxflib/dl_creationadapter.h>
-#include <dxflib/dl_dxf.h>
-
 #include <clocale>
-#include <map>
 #include <sstream>
 
+#include "dxf_drawing.h"
 #include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
 namespace {
 
-/// What dxflib reads back.
-class Drawing : public DL_CreationAdapter {
-  public:
-    struct Polyline {
-        bool closed = false;
-        std::vector<PlanePoint> points;  // mm
-    };
-    std::map<std::string, Polyline> polylines;
-    std::map<std::string, int> lines;
-    std::vector<std::string> texts;
-    std::vector<std::string> layers;
-    int units = -1;
-
-    void addLayer(const DL_LayerData& data) override { layers.push_back(data.name); }
-    void addPolyline(const DL_PolylineData& data) override {
-        current_ = &polylines[getAttributes().getLayer()];
-        current_->closed = (data.flags & 1) != 0;
-        expected_ = data.number;
-    }
-    void addVertex(const DL_VertexData& data) override {
-        current_->points.push_back({data.x, data.y});
-        EXPECT_EQ(data.bulge, 0.0);
-    }
-    void addLine(const DL_LineData&) override { ++lines[getAttributes().getLayer()]; }
-    void addText(const DL_TextData& data) override { texts.push_back(data.text); }
-    void setVariableInt(const std::string& key, int value, int) override {
-        if (key == "$INSUNITS") {
-            units = value;
-        }
-    }
-    unsigned expected() const { return expected_; }
-
-  private:
-    Polyline* current_ = nullptr;
-    unsigned expected_ = 0;
-};
-
-Drawing read_back(const std::string& text) {
-    Drawing drawing;
-    std::stringstream stream(text);
-    DL_Dxf dxf;
-    EXPECT_TRUE(dxf.in(stream, &drawing));
-    return drawing;
-}
-
-double distance_to_polyline(const PlanePoint& p, const std::vector<PlanePoint>& points) {
+double distance_to_polyline(const auto& p, const std::vector<DL_VertexData>& points) {
     double minimum = 1e300;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const PlanePoint& a = points[i];
-        const PlanePoint& b = points[(i + 1) % points.size()];
+        const auto& a = points[i];
+        const auto& b = points[(i + 1) % points.size()];
         const double dx = b.x - a.x;
         const double dy = b.y - a.y;
         const double u =
@@ -88,17 +40,17 @@ TEST_P(ElasticHingeExport, DxfReadsBackClosedAndWithinItsTolerance) {
     drawing.roller_radius = 0.006;
     drawing.chord_tolerance = 5e-6;
     drawing.title = "Направляющая guide 1";
-    const Drawing read = read_back(guide_dxf(guide, drawing));
+    const ravnoves::test::DxfDrawing read(guide_dxf(guide, drawing));
     EXPECT_EQ(read.units, 4);  // mm
     for (const char* layer : {"PROFILE", "ROLLER_PATH", "AXIS", "NOTE"}) {
-        EXPECT_NE(std::find(read.layers.begin(), read.layers.end(), layer), read.layers.end());
+        EXPECT_TRUE(read.layers.contains(layer)) << layer;
     }
-    EXPECT_EQ(read.lines.at("AXIS"), 2);
+    EXPECT_EQ(read.lines.count("AXIS"), 2U);
     ASSERT_FALSE(read.texts.empty());
-    EXPECT_EQ(read.texts.front(), " guide 1");
+    EXPECT_EQ(read.texts.front().text, " guide 1");
     bool tolerance_named = false;
-    for (const std::string& text : read.texts) {
-        tolerance_named |= text.find("chord tolerance 0.005") != std::string::npos;
+    for (const DL_TextData& note : read.texts) {
+        tolerance_named |= note.text.find("chord tolerance 0.005") != std::string::npos;
     }
     EXPECT_TRUE(tolerance_named);
 
@@ -112,8 +64,8 @@ TEST_P(ElasticHingeExport, DxfReadsBackClosedAndWithinItsTolerance) {
         EXPECT_TRUE(polyline.closed);
         ASSERT_GT(polyline.points.size(), 64U);
         // Closed once: the last point is not the first again, but near it.
-        const PlanePoint& first = polyline.points.front();
-        const PlanePoint& last = polyline.points.back();
+        const auto& first = polyline.points.front();
+        const auto& last = polyline.points.back();
         const double gap = std::hypot(first.x - last.x, first.y - last.y);
         EXPECT_GT(gap, 0.0);
         EXPECT_LT(gap, 10.0);
