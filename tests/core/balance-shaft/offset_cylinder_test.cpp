@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/engine_torque.h"
@@ -126,31 +127,25 @@ TEST(OffsetCylinder, CounterweightsMeetTheFirstOrder) {
         const Solver solver(input);
         const CrankBalance balance = crank_balance(solver);
         // Fourier coefficients of the drawn forces' sum, over a turn.
-        double x_cos = 0.0;
-        double x_sin = 0.0;
-        double y_cos = 0.0;
-        double y_sin = 0.0;
-        double inertia_cos = 0.0;
-        double inertia_sin = 0.0;
+        std::complex<double> across;
+        std::complex<double> along;
+        std::complex<double> first_order;
         constexpr int count = 720;
         for (int i = 0; i < count; ++i) {
             const double phi = two_pi * i / count;
             const MechanismPose pose = mechanism_pose(solver, phi, 1.0);
             const double inertia = -input.reciprocating_mass() * std::pow(input.angular_speed, 2) *
                                    solver.moments().crank.at(phi + solver.moments().top).d2s;
-            const Vector2 sum{
-                pose.crank_counterweight_force.x + pose.shaft_counterweight_force.x,
-                inertia + pose.crank_counterweight_force.y + pose.shaft_counterweight_force.y};
-            x_cos += sum.x * std::cos(phi) * 2.0 / count;
-            x_sin += sum.x * std::sin(phi) * 2.0 / count;
-            y_cos += sum.y * std::cos(phi) * 2.0 / count;
-            y_sin += sum.y * std::sin(phi) * 2.0 / count;
-            inertia_cos += inertia * std::cos(phi) * 2.0 / count;
-            inertia_sin += inertia * std::sin(phi) * 2.0 / count;
+            const auto turn = std::polar(2.0 / count, phi);
+            across += (pose.crank_counterweight_force.x + pose.shaft_counterweight_force.x) * turn;
+            along +=
+                (inertia + pose.crank_counterweight_force.y + pose.shaft_counterweight_force.y) *
+                turn;
+            first_order += inertia * turn;
         }
-        EXPECT_NEAR(std::hypot(x_cos, x_sin), 0.0, 1e-8);
-        EXPECT_NEAR(std::hypot(y_cos, y_sin), balance.with_shaft, 1e-8);
-        EXPECT_NEAR(std::hypot(inertia_cos, inertia_sin), balance.first_order, 1e-8);
+        EXPECT_NEAR(std::abs(across), 0.0, 1e-8);
+        EXPECT_NEAR(std::abs(along), balance.with_shaft, 1e-8);
+        EXPECT_NEAR(std::abs(first_order), balance.first_order, 1e-8);
         if (offset == 0.0) {
             EXPECT_NEAR(balance.with_shaft, 0.0, 1e-9);
             continue;
@@ -226,8 +221,7 @@ TEST(OffsetCylinder, AngleSweepMetricsAndGearsFollow) {
         double low = 1e300;
         double mean = 0.0;
         double square = 0.0;
-        double a = 0.0;  // order 1
-        double b = 0.0;
+        std::complex<double> first_order;
         for (int i = 0; i < count; ++i) {
             const double phi = 4.0 * pi * i / count;
             const double value = solver.M_up(phi) + solver.M_s(phi, alpha);
@@ -235,13 +229,12 @@ TEST(OffsetCylinder, AngleSweepMetricsAndGearsFollow) {
             low = std::min(low, value);
             mean += value / count;
             square += value * value / count;
-            a += 2.0 * value * std::cos(phi) / count;
-            b += 2.0 * value * std::sin(phi) / count;
+            first_order += value * std::polar(2.0 / count, phi);
         }
         EXPECT_NEAR(result.M_ups.range, high - low, 0.02);
         EXPECT_GE(result.M_ups.range, high - low - 1e-9);
         EXPECT_NEAR(result.M_ups.rms, std::sqrt(square - mean * mean), 1e-3);
-        EXPECT_NEAR(result.spectrum_M_ups[1].amplitude, std::hypot(a, b), 1e-2);
+        EXPECT_NEAR(result.spectrum_M_ups[1].amplitude, std::abs(first_order), 1e-2);
         EXPECT_NEAR(solver.M_s(result.M_s.max_angle, alpha), result.moment_amplitude, 1e-9);
         EXPECT_NEAR(solver.range(alpha), result.M_ups.range, 1e-9);
         const std::size_t at = 137;
