@@ -260,7 +260,14 @@ void SceneModel::setByKey(const QString& key, const QString& value) {
         parsed = value.toStdString();  // a bare word
     }
     try {
-        set_input_value(input, path, parsed);
+        const Json::json_pointer place(path);
+        if (input.contains(place)) {
+            input.at(place) = parsed;
+        } else {
+            Json change;
+            change[place] = parsed;
+            input.merge_patch(change);
+        }
     } catch (const Json::exception&) {  // "~" with neither 0 nor 1
         throw InputError::unknown_key("/input" + path);
     }
