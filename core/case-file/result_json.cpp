@@ -58,53 +58,37 @@ class ResultJson final : public ResultVisitor {
     explicit ResultJson(const Wanted& wanted) : wanted_(wanted) {}
 
     bool wants(std::string_view key) const override { return wanted_.wants(place(key)); }
-    Json take() { return std::move(levels_.front().value); }
+    Json take() { return std::move(result_); }
 
   private:
     void leaf(const ResultField& field, const ResultValue& value) override {
         if (wants(field.key)) {
             const auto json = [&](const auto& it) { return json_of(it, field.unit); };
-            levels_.back().value[std::string(field.key)] = std::visit(json, value);
+            (*filled_.back())[std::string(field.key)] = std::visit(json, value);
         }
     }
     bool begin_object(const ResultField& field) override {
-        return wants(field.key) && begin(field.key, object_with_room(16));
+        return wants(field.key) && fill((*filled_.back())[std::string(field.key)] = object());
     }
     bool begin_list(const ResultField& field) override {
-        return wants(field.key) && begin(field.key, Json::array());
+        return wants(field.key) && fill((*filled_.back())[std::string(field.key)] = Json::array());
     }
-    bool begin_element(std::size_t index) override {
+    bool begin_element(std::size_t /*index*/) override {
         // All of them: an element keeps its place in the list.
-        return begin(std::to_string(index), object_with_room(16));
+        return fill(filled_.back()->emplace_back(object()));
     }
-    void end() override {
-        Level whole = std::move(levels_.back());
-        levels_.pop_back();
-        Json& around = levels_.back().value;
-        if (around.is_array()) {
-            around.push_back(std::move(whole.value));
-        } else {
-            around[whole.key] = std::move(whole.value);
-        }
-    }
+    void end() override { filled_.pop_back(); }
 
-    std::string place(std::string_view key) const {
-        return (levels_.back().pointer + '/').append(key);
-    }
-    bool begin(std::string_view key, Json empty) {
-        levels_.push_back({std::string(key), std::move(empty), place(key)});
+    static Json object() { return object_with_room(16); }
+    bool fill(Json& container) {
+        filled_.push_back(&container);
         return true;
     }
 
-    /// The containers being filled: the result first, then an object or a list in it. Each is put
-    /// in place once it is whole, for growing objects move their contents.
-    struct Level {
-        std::string key{};
-        Json value = object_with_room(32);
-        std::string pointer{};
-    };
     const Wanted& wanted_;
-    std::vector<Level> levels_{1};
+    Json result_ = object_with_room(32);
+    /// The result first, then each the last of what is in the one before: none of them moves.
+    std::vector<Json*> filled_{&result_};
 };
 
 class ResultIndex final : public ResultVisitor {
@@ -117,46 +101,36 @@ class ResultIndex final : public ResultVisitor {
     void leaf(const ResultField& field, const ResultValue& value) override {
         const auto si = single_number(value);
         if (si || std::holds_alternative<std::monostate>(value)) {
-            Level place = inside(field.key, field.label, field.unit);
-            entries_.push_back({std::move(place.pointer), std::move(place.name), place.unit,
-                                field.decimals, period_of(field), si});
+            Level level = inside(field.label, field.unit);
+            entries_.push_back({place(field.key), std::move(level.name), level.unit, field.decimals,
+                                period_of(field), si});
         }
     }
     bool begin_object(const ResultField& field) override {
-        levels_.push_back(inside(field.key, field.label, field.unit));
+        levels_.push_back(inside(field.label, field.unit));
         return true;
     }
-    bool begin_list(const ResultField& field) override { return begin_object(field); }
     bool begin_element(std::size_t index) override {
-        levels_.push_back(inside(std::to_string(index),
-                                 Number{.value = static_cast<double>(index + 1)}, units::none));
+        levels_.push_back(inside(Number{.value = static_cast<double>(index + 1)}, units::none));
         return true;
     }
     void end() override { levels_.pop_back(); }
 
     struct Level {
-        std::string pointer;
         Message name;
         Unit unit = units::none;  ///< of what has none of its own
     };
-    Level inside(std::string_view key, const Message& label, const Unit& unit) const {
+    Level inside(const Message& label, const Unit& unit) const {
         const Level& around = levels_.back();
-        Message name = around.name.empty() ? label
-                       : label.empty()     ? around.name
-                                           : joined(around.name, label);
-        return {(around.pointer + '/').append(key), std::move(name),
+        return {around.name.empty() ? label
+                : label.empty()     ? around.name
+                                    : joined(around.name, label),
                 unit == units::none ? around.unit : unit};
     }
 
     std::vector<Level> levels_{1};
     std::vector<ResultEntry> entries_;
 };
-
-/// Whether a pointer leads to the value of another or into it.
-bool is_within(std::string_view pointer, std::string_view around) {
-    return pointer.starts_with(around) &&
-           (pointer.size() == around.size() || pointer[around.size()] == '/');
-}
 
 /// A pointer as a message shows it: one line of text, whatever its bytes are.
 std::string shown(const std::string& pointer) {
@@ -191,7 +165,7 @@ Wanted::Wanted(std::vector<std::string> pointers) : pointers_(std::move(pointers
 bool Wanted::wants(std::string_view pointer) const {
     return pointers_.empty() ||
            std::any_of(pointers_.begin(), pointers_.end(), [&](const std::string& each) {
-               return is_within(each, pointer) || is_within(pointer, each);
+               return behind(each, pointer) || behind(pointer, each);
            });
 }
 
@@ -208,7 +182,7 @@ Json Wanted::pick(Json result) const {
         }
         // What lies in another comes with it.
         if (std::any_of(pointers_.begin(), pointers_.end(), [&](const std::string& other) {
-                return other.size() < text.size() && is_within(text, other);
+                return other.size() < text.size() && behind(text, other);
             })) {
             continue;
         }

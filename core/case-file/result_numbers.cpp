@@ -1,109 +1,103 @@
 #include "case-file/result_numbers.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-
-#include "case-file/object_reader.h"
 
 namespace ravnoves {
 
-ResultNumbers::ResultNumbers(std::span<const std::string> pointers)
-    : nodes_(1), pointers_(pointers.begin(), pointers.end()) {
-    for (const std::string& text : pointers) {
-        std::size_t node = 0;
-        for (const std::string& key : keys_of(text)) {
-            std::size_t next = inside(node, key);
-            if (next == 0) {
-                next = nodes_.size();
-                nodes_[node].inside.emplace_back(key, next);
-                nodes_.push_back({.around = node});
-            }
-            node = next;
+namespace {
+
+/// Of "/3" the 3; without a place, one that no list has.
+std::size_t place_in_list(std::string_view rest) {
+    constexpr auto none = static_cast<std::size_t>(-1);
+    std::size_t place = none;
+    const char* const end = rest.data() + rest.size();
+    const bool is_number = rest.size() > 1 && (rest[1] != '0' || rest.size() == 2) &&
+                           std::from_chars(rest.data() + 1, end, place).ptr == end;
+    return is_number ? place : none;
+}
+
+/// @param rest  of the pointer within a value: empty, or places in lists ("/3/1")
+std::optional<double> number_in(const ResultValue& value, std::string_view rest, const Unit& unit) {
+    const auto element = [&](const auto& list, std::string_view place) {
+        const std::size_t i = place_in_list(place);
+        return i < list.size() ? std::optional(list[i] / unit) : std::nullopt;
+    };
+    if (rest.empty()) {
+        const auto number = single_number(value);
+        return number && std::holds_alternative<double>(value) ? *number / unit : number;
+    }
+    if (const auto* numbers = std::get_if<std::span<const double>>(&value)) {
+        return element(*numbers, rest);
+    }
+    if (const auto* integers = std::get_if<std::span<const int>>(&value)) {
+        return element(*integers, rest);
+    }
+    if (const auto* rows = std::get_if<NumberRows>(&value)) {
+        const std::size_t column = std::min(rest.find('/', 1), rest.size());
+        const std::size_t row = place_in_list(rest.substr(0, column));
+        if (row < rows->si.size() / rows->columns) {
+            return element(rows->si.subspan(row * rows->columns, rows->columns),
+                           rest.substr(column));
         }
-        places_.push_back(node);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+ResultNumbers::ResultNumbers(std::span<const std::string> pointers) {
+    for (const std::string& pointer : pointers) {
+        numbers_.push_back({pointer});
     }
 }
 
 void ResultNumbers::clear() {
-    for (Node& node : nodes_) {
-        node.value.reset();
-        if (!node.why.empty()) {
-            node.why = {};
-        }
+    for (Picked& number : numbers_) {
+        number.value.reset();
     }
-    at_ = 0;
+    reasons_.clear();
+    start();
 }
 
 Message ResultNumbers::why(std::size_t i) const {
-    for (std::size_t node = places_[i]; node != 0;) {
-        node = nodes_[node].around;
-        if (!nodes_[node].why.empty()) {
-            return nodes_[node].why;
+    std::string_view around = numbers_[i].pointer;
+    while (!around.empty()) {
+        around = around.substr(0, around.rfind('/'));
+        const auto found = std::find_if(reasons_.rbegin(), reasons_.rend(),
+                                        [&](const auto& each) { return each.first == around; });
+        if (found != reasons_.rend()) {
+            return found->second;
         }
     }
     return {};
 }
 
-std::size_t ResultNumbers::inside(std::size_t around, std::string_view key) const {
-    for (const auto& [name, node] : nodes_[around].inside) {
-        if (name == key) {
-            return node;
-        }
-    }
-    return 0;
+std::optional<std::string_view> ResultNumbers::rest(const Picked& number,
+                                                    std::string_view key) const {
+    const auto inside = behind(number.pointer, here());
+    return inside && !inside->empty() ? behind(inside->substr(1), key) : std::nullopt;
 }
 
 bool ResultNumbers::wants(std::string_view key) const {
-    std::size_t node = at_;
-    while (true) {
-        const std::size_t end = std::min(key.find('/'), key.size());
-        node = inside(node, key.substr(0, end));
-        if (node == 0 || end == key.size()) {
-            return node != 0;
-        }
-        if (nodes_[node].inside.empty()) {
-            return true;  // all in it
-        }
-        key.remove_prefix(end + 1);
-    }
-}
-
-void ResultNumbers::set(std::size_t node, const ResultField& field, double value) {
-    if (node != 0 && std::isfinite(value)) {
-        nodes_[node].value = value;
-        nodes_[node].period = period_of(field);
-    }
+    return std::ranges::any_of(numbers_,
+                               [&](const Picked& number) { return rest(number, key).has_value(); });
 }
 
 void ResultNumbers::leaf(const ResultField& field, const ResultValue& value) {
-    const std::size_t node = inside(at_, field.key);
-    const auto elements = [&](std::size_t of, const auto& list) {
-        for (std::size_t i = 0; of != 0 && i < list.size(); ++i) {
-            set(inside(of, std::to_string(i)), field, list[i] / field.unit);
-        }
-    };
-    if (const auto* const* text = std::get_if<const Message*>(&value)) {
-        if (field.key == "reason" || field.key == "note") {
-            nodes_[at_].why = **text;
-        }
-    } else if (const auto number = single_number(value)) {
-        set(node, field, std::holds_alternative<double>(value) ? *number / field.unit : *number);
-    } else if (const auto* numbers = std::get_if<std::span<const double>>(&value)) {
-        elements(node, *numbers);
-    } else if (const auto* integers = std::get_if<std::span<const int>>(&value)) {
-        elements(node, *integers);
-    } else if (const auto* rows = std::get_if<NumberRows>(&value); rows != nullptr && node != 0) {
-        for (std::size_t row = 0; (row + 1) * rows->columns <= rows->si.size(); ++row) {
-            elements(inside(node, std::to_string(row)),
-                     rows->si.subspan(row * rows->columns, rows->columns));
+    const auto* const* text = std::get_if<const Message*>(&value);
+    if (text != nullptr && !(*text)->empty() && (field.key == "reason" || field.key == "note")) {
+        reasons_.emplace_back(here(), **text);
+    }
+    for (Picked& number : numbers_) {
+        const auto within = rest(number, field.key);
+        const auto found = within ? number_in(value, *within, field.unit) : std::nullopt;
+        if (found && std::isfinite(*found)) {
+            number.value = found;
+            number.period = period_of(field);
         }
     }
-}
-
-bool ResultNumbers::enter(std::string_view key) {
-    const std::size_t node = inside(at_, key);
-    at_ = node != 0 ? node : at_;
-    return node != 0;
 }
 
 }  // namespace ravnoves

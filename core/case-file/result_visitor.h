@@ -65,6 +65,14 @@ inline std::optional<double> single_number(const ResultValue& value) {
                               : std::nullopt;
 }
 
+/// What is left of a JSON pointer behind one around it, or behind itself; nothing where it leads
+/// elsewhere.
+inline std::optional<std::string_view> behind(std::string_view pointer, std::string_view around) {
+    const bool leads_on = pointer.starts_with(around) &&
+                          (pointer.size() == around.size() || pointer[around.size()] == '/');
+    return leads_on ? std::optional(pointer.substr(around.size())) : std::nullopt;
+}
+
 /// Visits the values of a scene's result in the order of its file.
 ///
 /// A scene lists them once, in a function found by argument-dependent lookup
@@ -137,8 +145,7 @@ class ResultVisitor {
     template <typename Visit>
     void object(const ResultField& field, Visit&& visit) {
         if (begin_object(field)) {
-            std::forward<Visit>(visit)();
-            end();
+            visit_inside(field.key, std::forward<Visit>(visit));
         }
     }
     /// The same where it is there, else null.
@@ -154,13 +161,13 @@ class ResultVisitor {
     template <typename Visit>
     void list(const ResultField& field, std::size_t count, const Visit& visit) {
         if (begin_list(field)) {
-            for (std::size_t i = 0; i < count; ++i) {
-                if (begin_element(i)) {
-                    visit(i);
-                    end();
+            visit_inside(field.key, [&] {
+                for (std::size_t i = 0; i < count; ++i) {
+                    if (begin_element(i)) {
+                        visit_inside(std::to_string(i), [&] { visit(i); });
+                    }
                 }
-            }
-            end();
+            });
         }
     }
 
@@ -168,9 +175,15 @@ class ResultVisitor {
     virtual void leaf(const ResultField& field, const ResultValue& value) = 0;
     /// @return whether its values are to be visited; end() follows then
     virtual bool begin_object(const ResultField& field) = 0;
-    virtual bool begin_list(const ResultField& field) = 0;
+    virtual bool begin_list(const ResultField& field) { return begin_object(field); }
     virtual bool begin_element(std::size_t index) = 0;
-    virtual void end() = 0;
+    virtual void end() {}
+
+    /// JSON pointer, below "result", of the object or list that is visited now.
+    const std::string& here() const { return here_; }
+    std::string place(std::string_view key) const { return (here_ + '/').append(key); }
+    /// The next visit begins at the result, wherever one was broken off.
+    void start() { here_.clear(); }
 
     /// Of a value, in the field's unit: 360 or 720 of an angle; 0 of what has none.
     double period_of(const ResultField& field) const {
@@ -180,11 +193,21 @@ class ResultVisitor {
     }
 
   private:
-    int turns_of_cycle_ = 1;
+    template <typename Visit>
+    void visit_inside(std::string_view key, Visit&& visit) {
+        const std::size_t around = here_.size();
+        here_.append(1, '/').append(key);
+        std::forward<Visit>(visit)();
+        here_.resize(around);
+        end();
+    }
     template <typename Value>
     void put(const ResultField& field, const std::optional<Value>& value) {
         leaf(field, value ? ResultValue(*value) : ResultValue());
     }
+
+    int turns_of_cycle_ = 1;
+    std::string here_;
 };
 
 }  // namespace ravnoves
