@@ -27,7 +27,6 @@ class FieldReader final : public FieldVisitor {
     std::vector<std::string> names(std::vector<std::string> /*present*/) override {
         return reader().keys();
     }
-    std::string pointer() const override { return readers_.back().pointer(); }
 
   protected:
     void leaf(const Field& field, const Leaf& leaf) override {
@@ -86,24 +85,15 @@ class FieldReader final : public FieldVisitor {
         readers_.pop_back();
     }
     bool begin_list(const Field& field, std::size_t& count) override {
-        const Json& list = reader().list(field.key);
-        count = list.size();
-        lists_.push_back({&list, place_of(field)});
+        count = reader().list(field.key).size();
         return true;
     }
-    void end_list() override { lists_.pop_back(); }
-    void begin_element(std::size_t index) override {
-        const List& list = lists_.back();
-        readers_.emplace_back(list.json->at(index), list.pointer + "/" + std::to_string(index));
+    void begin_element(const Field& list, std::size_t index) override {
+        readers_.emplace_back(reader().list(list.key).at(index),
+                              place_of(list) + "/" + std::to_string(index));
     }
-    void end_element() override { end_object(); }
 
   private:
-    struct List {
-        const Json* json;
-        std::string pointer;
-    };
-
     ObjectReader& reader() { return readers_.back(); }
     std::string place_of(const Field& field) { return reader().pointer_to(field.key); }
     static int whole(const Field& field, const Json& json, const std::string& place) {
@@ -129,7 +119,6 @@ class FieldReader final : public FieldVisitor {
     }
 
     std::deque<ObjectReader> readers_;
-    std::vector<List> lists_;
     bool is_lenient_;
 };
 

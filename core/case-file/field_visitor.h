@@ -12,6 +12,7 @@
 
 #include "case-file/field.h"
 #include "case-file/json_fwd.h"
+#include "case-file/object_reader.h"
 
 namespace ravnoves {
 
@@ -69,6 +70,8 @@ class FieldVisitor {
     enum class Written { always, if_changed };
     using Custom = CustomValue;
 
+    /// @param root  JSON pointer of the input
+    explicit FieldVisitor(std::string root = "/input") : pointer_(std::move(root)) {}
     virtual ~FieldVisitor() = default;
 
     /// True for the reader: it fills the input in, by the file.
@@ -139,18 +142,12 @@ class FieldVisitor {
     /// An object that the case must give.
     template <typename Struct>
     void object(const Field& field, Struct& value) {
-        if (begin_object(field, true, true)) {
-            visit_fields(*this, value);
-            end_object();
-        }
+        object_of(field, true, true, [&] { visit_fields(*this, value); });
     }
     /// An object whose fields all have defaults: written where one of them is changed.
     template <typename Struct>
     void object_with_defaults(const Field& field, Struct& value) {
-        if (begin_object(field, false, !(value == Struct{}))) {
-            visit_fields(*this, value);
-            end_object();
-        }
+        object_of(field, false, !(value == Struct{}), [&] { visit_fields(*this, value); });
     }
     /// An object that may be left out.
     template <typename Struct>
@@ -160,21 +157,20 @@ class FieldVisitor {
     /// The same where the function visits its fields.
     template <typename Struct, typename Visit>
     void object(const Field& field, std::optional<Struct>& value, Visit&& visit) {
-        if (begin_object(field, false, value.has_value())) {
+        object_of(field, false, value.has_value(), [&] {
             if (!value && (is_reading() || creates_objects())) {
                 value.emplace();
             }
             Struct absent;
             std::forward<Visit>(visit)(value ? *value : absent);
-            end_object();
-        }
+        });
     }
     /// An object whose fields the function visits.
     /// @param is_there  for the writer and the check
     template <typename Visit>
     void object_of(const Field& field, bool required, bool is_there, Visit&& visit) {
         if (begin_object(field, required, is_there)) {
-            std::forward<Visit>(visit)();
+            visit_inside(field.key, std::forward<Visit>(visit));
             end_object();
         }
     }
@@ -189,39 +185,53 @@ class FieldVisitor {
         std::size_t count = values.size();
         if (begin_list(field, count)) {
             values.resize(count);
-            for (std::size_t i = 0; i < count; ++i) {
-                begin_element(i);
-                visit(values[i]);
-                end_element();
-            }
-            end_list();
+            visit_inside(field.key, [&] {
+                for (std::size_t i = 0; i < count; ++i) {
+                    begin_element(field, i);
+                    visit_inside(std::to_string(i), [&] { visit(values[i]); });
+                    end_object();
+                }
+            });
         }
     }
     /// Which of several keys (or objects) the case gives: exactly one of them must be there.
     /// @param present  the one that the input has now; the reader ignores it
     /// @return the one to visit; negative where all are to be visited (a table of all fields)
-    virtual int one_of(std::initializer_list<std::string_view> keys, int present) = 0;
+    virtual int one_of(std::initializer_list<std::string_view> /*keys*/, int present) {
+        return present;
+    }
     /// True where the case has the key, or for other visitors than the reader `present`.
-    virtual bool has(std::string_view key, bool present) = 0;
+    virtual bool has(std::string_view /*key*/, bool present) { return present; }
     /// Names in the visited object, where they are free ({name: kg}): the file's, or for other
     /// visitors than the reader `present`; a name to be set is among them.
     virtual std::vector<std::string> names(std::vector<std::string> present) { return present; }
 
     /// JSON pointer of the object that is visited now, for example "/input/torque".
-    virtual std::string pointer() const = 0;
+    const std::string& pointer() const { return pointer_; }
+    std::string pointer_to(std::string_view key) const {
+        return pointer_ + "/" + escape_segment(key);
+    }
 
   protected:
     virtual void leaf(const Field& field, const Leaf& leaf) = 0;
     /// @return whether the object is there and its fields are to be visited
-    virtual bool begin_object(const Field& field, bool required, bool is_there) = 0;
-    virtual void end_object() = 0;
+    virtual bool begin_object(const Field& /*field*/, bool /*required*/, bool is_there) {
+        return is_there;
+    }
     /// The reader sets the count.
-    virtual bool begin_list(const Field& field, std::size_t& count) = 0;
-    virtual void end_list() = 0;
-    virtual void begin_element(std::size_t index) = 0;
-    virtual void end_element() = 0;
+    virtual bool begin_list(const Field& /*field*/, std::size_t& /*count*/) { return true; }
+    virtual void begin_element(const Field& /*list*/, std::size_t /*index*/) {}
+    /// Of an element, too.
+    virtual void end_object() {}
 
   private:
+    template <typename Visit>
+    void visit_inside(std::string_view key, Visit&& visit) {
+        const std::size_t around = pointer_.size();
+        pointer_ = pointer_to(key);
+        std::forward<Visit>(visit)();
+        pointer_.resize(around);
+    }
     template <typename Enum>
     void choose(const Field& field, Enum& value, Leaf how) {
         auto index = static_cast<int>(value);
@@ -230,6 +240,8 @@ class FieldVisitor {
         leaf(field, how);
         value = static_cast<Enum>(index);
     }
+
+    std::string pointer_;
 };
 
 /// Visits the fields of some input.

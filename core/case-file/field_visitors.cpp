@@ -11,51 +11,9 @@ namespace ravnoves {
 
 namespace {
 
-/// Common to visitors of a present input: they follow the input, and keep the JSON pointer of the
-/// place.
-class FieldWalker : public FieldVisitor {
+class Writer final : public FieldVisitor {
   public:
-    explicit FieldWalker(std::string root = "/input") : pointer_(std::move(root)) {}
-
-    int one_of(std::initializer_list<std::string_view> /*keys*/, int present) override {
-        return present;
-    }
-    bool has(std::string_view /*key*/, bool present) override { return present; }
-    std::string pointer() const override { return pointer_; }
-    std::string pointer_to(std::string_view key) const {
-        return pointer_ + "/" + escape_segment(key);
-    }
-    /// What the pointer points to is within the object or list at this key.
-    bool is_within(std::string_view key, std::string_view target) const {
-        return target.starts_with(pointer_to(key) + "/");
-    }
-
-  protected:
-    bool begin_object(const Field& field, bool /*required*/, bool is_there) override {
-        if (is_there) {
-            enter(field.key);
-        }
-        return is_there;
-    }
-    void end_object() override { leave(); }
-    bool begin_list(const Field& field, std::size_t& /*count*/) override {
-        enter(field.key);
-        return true;
-    }
-    void end_list() override { leave(); }
-    void begin_element(std::size_t index) override { enter(std::to_string(index)); }
-    void end_element() override { leave(); }
-
-  private:
-    void enter(std::string_view key) { pointer_ = pointer_to(key); }
-    void leave() { pointer_.resize(pointer_.rfind('/')); }
-
-    std::string pointer_;
-};
-
-class Writer final : public FieldWalker {
-  public:
-    Writer() : FieldWalker("") {}
+    Writer() : FieldVisitor("") {}
     Json take() { return std::move(json_); }
 
   protected:
@@ -83,19 +41,18 @@ class Writer final : public FieldWalker {
             put(field.key, std::move(json));
         }
     }
-    bool begin_object(const Field& field, bool required, bool is_there) override {
+    bool begin_object(const Field& field, bool /*required*/, bool is_there) override {
         if (is_there) {
             put(field.key, object_with_room(16));
         }
-        return FieldWalker::begin_object(field, required, is_there);
+        return is_there;
     }
-    bool begin_list(const Field& field, std::size_t& count) override {
+    bool begin_list(const Field& field, std::size_t& /*count*/) override {
         put(field.key, Json::array());
-        return FieldWalker::begin_list(field, count);
+        return true;
     }
-    void begin_element(std::size_t index) override {
+    void begin_element(const Field& /*list*/, std::size_t index) override {
         put(std::to_string(index), object_with_room(16));
-        FieldWalker::begin_element(index);
     }
 
   private:
@@ -113,9 +70,9 @@ class Writer final : public FieldWalker {
     Json json_ = object_with_room(32);
 };
 
-class Checker final : public FieldWalker {
+class Checker final : public FieldVisitor {
   public:
-    using FieldWalker::FieldWalker;
+    using FieldVisitor::FieldVisitor;
 
   protected:
     void leaf(const Field& field, const Leaf& leaf) override {
@@ -155,11 +112,11 @@ class Checker final : public FieldWalker {
 };
 
 /// Lists the fields, or sets one.
-class Index final : public FieldWalker {
+class Index final : public FieldVisitor {
   public:
     /// @param given  the value that `only` is set to; null where the fields are listed
     Index(bool all, std::string_view only, const FieldValue* given = nullptr)
-        : FieldWalker(""), all_(all), only_(only), given_(given) {
+        : FieldVisitor(""), all_(all), only_(only), given_(given) {
         constexpr std::size_t usual = 48;  // most scenes have fewer fields
         entries_.reserve(only.empty() ? usual : 1);
     }
@@ -192,7 +149,7 @@ class Index final : public FieldWalker {
     void leaf(const Field& field, const Leaf& leaf) override {
         if (!wants(field)) {
             if (auto* const* list = std::get_if<std::vector<double>*>(&leaf.at);
-                list != nullptr && !only_.empty() && is_within(field.key, only_)) {
+                list != nullptr && leads_on(field)) {
                 add_element(field, **list);
             }
             return;
@@ -231,14 +188,14 @@ class Index final : public FieldWalker {
         if (wants(field) && (all_ || !field.label.empty() || !field.hint.empty())) {
             add(field, FieldKind::object).required = required;
         }
-        return leads_on(field) && FieldWalker::begin_object(field, required, true);
+        return leads_on(field);
     }
     bool begin_list(const Field& field, std::size_t& count) override {
         if (wants(field)) {
             add(field, FieldKind::list);
         }
         count = all_ ? 1 : count;
-        return leads_on(field) && FieldWalker::begin_list(field, count);
+        return leads_on(field);
     }
 
   private:
@@ -262,7 +219,9 @@ class Index final : public FieldWalker {
         return is_set;
     }
     /// What is asked for may be within this object or list.
-    bool leads_on(const Field& field) const { return only_.empty() || is_within(field.key, only_); }
+    bool leads_on(const Field& field) const {
+        return only_.empty() || only_.starts_with(pointer_to(field.key) + "/");
+    }
     bool wants(const Field& field) const { return only_.empty() || pointer_to(field.key) == only_; }
     FieldEntry& add(const Field& field, FieldKind kind) {
         FieldEntry entry{.pointer = pointer_to(field.key), .field = field, .kind = kind};
