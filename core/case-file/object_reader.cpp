@@ -1,7 +1,9 @@
 #include "case-file/object_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <utility>
 
@@ -75,34 +77,31 @@ std::vector<std::string> keys_of(const std::string& pointer) {
 
 std::string printable(std::string_view text, std::size_t longest) {
     std::string shown;
-    for (std::size_t at = 0; at < text.size();) {
+    while (!text.empty()) {
         const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-        std::size_t count = 1;  // bytes of this character
-        while (byte(at) >= 0xC0U && count < 4 && at + count < text.size() &&
-               (byte(at + count) & 0xC0U) == 0x80U) {
-            ++count;
+        const unsigned lead = byte(0);
+        const std::size_t length = lead < 0xC0U ? 1 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
+        unsigned code = length == 1 ? lead : lead & (0x7FU >> length);
+        std::size_t count = 1;  // bytes of this character, fewer where they are no UTF-8
+        while (count < std::min(length, text.size()) && (byte(count) & 0xC0U) == 0x80U) {
+            code = code << 6U | (byte(count++) & 0x3FU);
         }
-        std::string piece(text.substr(at, count));
-        const bool second_set = count == 2 && byte(at) == 0xC2U && byte(at + 1) < 0xA0U;
+        const auto is_from = [code](unsigned first, unsigned last) {
+            return code >= first && code <= last;
+        };
+        std::string piece(text.substr(0, count));
         // U+202A to U+202E and U+2066 to U+2069 turn the direction of what comes after them.
-        const bool turns = count == 3 && byte(at) == 0xE2U &&
-                           ((byte(at + 1) == 0x80U && byte(at + 2) - 0xAAU <= 4U) ||
-                            (byte(at + 1) == 0x81U && byte(at + 2) - 0xA6U <= 3U));
-        if (byte(at) < 0x20U || byte(at) == 0x7FU || second_set || turns) {
-            constexpr std::string_view digits = "0123456789abcdef";
-            const unsigned last = byte(at + count - 1);
-            const unsigned code =
-                turns ? 0x2000U + 64U * (byte(at + 1) & 0x3FU) + (last & 0x3FU) : last;
-            piece = "\\u";
-            for (int shift = 12; shift >= 0; shift -= 4) {
-                piece += digits[(code >> static_cast<unsigned>(shift)) & 0xFU];
-            }
+        if (code < 0x20U || is_from(0x7FU, 0x9FU) || is_from(0x202AU, 0x202EU) ||
+            is_from(0x2066U, 0x2069U)) {
+            std::array<char, 16> escape{};
+            std::snprintf(escape.data(), escape.size(), "\\u%04x", code);
+            piece = escape.data();
         }
         if (shown.size() + piece.size() > longest) {
             return shown + "…";
         }
         shown += piece;
-        at += count;
+        text.remove_prefix(count);
     }
     return shown;
 }
