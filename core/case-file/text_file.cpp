@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -60,7 +59,6 @@ InputError not_read() {
 }
 
 constexpr std::size_t block_size = 1U << 16U;
-constexpr std::chrono::seconds longest_reading{20};
 
 struct Descriptor {
     explicit Descriptor(int it) : number(it) {}
@@ -95,17 +93,13 @@ std::size_t read_some(int descriptor, std::vector<char>& block, bool waits = tru
 }
 
 /// All that comes.
-/// @param waits  however long it takes
+/// @param waits  as of read_some()
 std::string read_all(int descriptor, bool waits) {
-    const auto end = std::chrono::steady_clock::now() + longest_reading;
     std::string text;
     std::vector<char> block(block_size);
     while (const std::size_t count = read_some(descriptor, block, waits)) {
         check_text_size(text.size() + count);
         text.append(block.data(), count);
-        if (!waits && std::chrono::steady_clock::now() > end) {
-            throw InputError("", Text::tr("takes too long to read"));
-        }
     }
     return text;
 }
@@ -222,8 +216,7 @@ std::string read_text_file(const std::filesystem::path& path) {
     if (!S_ISREG(status.st_mode)) {
         throw InputError("", not_a_file);
     }
-    // Some files of the system never end, or make one wait for what comes: they say so, or take
-    // their time.
+    // Some files of the system never end, or make one wait for what comes: they say so.
     return read_all(file.number, false);
 }
 

@@ -16,8 +16,7 @@ inline constexpr Text not_a_file = Text::tr("must be a file, not a pipe or a dev
 void check_text_size(std::size_t bytes);
 
 /// The whole file as bytes: the one way in which the programs read a file that they are given. What
-/// might never end is rejected: a pipe, a device, a file of the system that makes one wait, one
-/// that takes longer than 20 s.
+/// might never end is rejected: a pipe, a device, a file of the system that makes one wait.
 /// @throws InputError where it cannot be read, is no such file or is larger than 64 MiB
 std::string read_text_file(const std::filesystem::path& path);
 /// All that comes by an open file or pipe, however long it takes.

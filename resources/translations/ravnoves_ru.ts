@@ -1165,10 +1165,6 @@
         <translation>должно быть именем варианта</translation>
     </message>
     <message>
-        <source>takes too long to read</source>
-        <translation>читается слишком долго</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Заключение</translation>
     </message>
