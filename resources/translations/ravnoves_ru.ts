@@ -10618,18 +10618,6 @@ but at this l no α is feasible</source>
         <source>Your notes on the case: sources, assumptions, open tasks. They are saved with the case.</source>
         <translation>Ваши заметки о задаче: источники, допущения, что осталось сделать. Сохраняются вместе с ней.</translation>
     </message>
-    <message>
-        <source>Apply the changed title and notes?</source>
-        <translation>Применить изменённые название и заметки?</translation>
-    </message>
-    <message>
-        <source>&amp;Apply</source>
-        <translation>&amp;Применить</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Отменить</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::CompensationPlot</name>

@@ -90,23 +90,19 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     EXPECT_EQ(model().notes(), QStringLiteral("Measured on Monday"));
 }
 
-TEST_F(SavingTest, OfAPastedMegabyteTitleAndNotesTakeWhatSuitsThem) {
+TEST_F(SavingTest, OfAPastedMegabyteATitleTakesWhatSuitsIt) {
     press(Qt::Key_I);
     auto* dialog = window->findChild<CaseProperties*>();
     ASSERT_NE(dialog, nullptr);
     auto* title = test::named<QLineEdit>(*dialog, "case_title");
-    auto* notes = test::named<QPlainTextEdit>(*dialog, "case_notes");
     QApplication::clipboard()->setText(QString(1'000'000, QLatin1Char('7')));
-    for (QWidget* field : {static_cast<QWidget*>(title), static_cast<QWidget*>(notes)}) {
-        const test::ProcessorTime time;
-        QTest::keyClick(field, Qt::Key_V, Qt::ControlModifier);
-        EXPECT_LT(time.seconds(), 2.0);
-        EXPECT_TRUE(QToolTip::text().startsWith(QStringLiteral("Cut: at most")))
-            << qPrintable(QToolTip::text());
-        QToolTip::hideText();
-    }
+    const test::ProcessorTime time;
+    QTest::keyClick(title, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_LT(time.seconds(), 2.0);
+    EXPECT_TRUE(QToolTip::text().startsWith(QStringLiteral("Cut: at most")))
+        << qPrintable(QToolTip::text());
+    QToolTip::hideText();
     EXPECT_EQ(title->text().size(), 200);
-    EXPECT_EQ(notes->toPlainText().size(), 20'000);
     QTest::keyClick(title, Qt::Key_Return);
     EXPECT_EQ(model().title().size(), 200);
 }
@@ -206,30 +202,20 @@ TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
         return window->findChildren<CaseProperties*>().constLast();
     };
     CaseProperties* open = dialog();
-    QTest::keyClick(open, Qt::Key_Escape);  // nothing was typed: nothing is asked
+    QTest::keyClick(open, Qt::Key_Escape);  // nothing was typed: it is no step
     EXPECT_FALSE(open->isVisible());
+    EXPECT_FALSE(model().history()->canUndo());
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     open = dialog();
     auto* notes = test::named<QPlainTextEdit>(*open, "case_notes");
     QTest::keyClicks(notes, QStringLiteral("one"));
     QTest::keyClick(notes, Qt::Key_Return);
     QTest::keyClicks(notes, QStringLiteral("two"));
-    answer("Cancel");
-    QTest::keyClick(open, Qt::Key_Escape);
-    ASSERT_EQ(asked.size(), 1);
-    EXPECT_TRUE(open->isVisible());
-    open->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(open));
-    QTest::keyClick(notes, Qt::Key_Return, Qt::ControlModifier);
-    EXPECT_FALSE(open->isVisible());
-    EXPECT_EQ(model().notes(), QStringLiteral("one\ntwo"));
-    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    open = dialog();
-    QTest::keyClicks(test::named<QPlainTextEdit>(*open, "case_notes"), QStringLiteral("zero "));
-    answer("Discard");
     QTest::keyClick(open, Qt::Key_Escape);
     EXPECT_FALSE(open->isVisible());
     EXPECT_EQ(model().notes(), QStringLiteral("one\ntwo"));
+    model().undo();
+    EXPECT_EQ(model().notes(), QString());
 }
 
 TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
