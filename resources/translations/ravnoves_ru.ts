@@ -14227,12 +14227,8 @@ but at this l no α is feasible</source>
         <translation>Спросить при следующем запуске</translation>
     </message>
     <message>
-        <source>The copy of an unsaved case is damaged; it is now %1.</source>
-        <translation>Копия несохранённой задачи повреждена; теперь это файл %1.</translation>
-    </message>
-    <message>
-        <source>An unsaved case was written by a newer version of Ravnoves, which can open it: %1.</source>
-        <translation>Несохранённая задача записана более новой версией Ravnoves, которая может её открыть: %1.</translation>
+        <source>The copy of an unsaved case cannot be read; it is now %1.</source>
+        <translation>Копию несохранённой задачи прочитать не удалось; теперь это файл %1.</translation>
     </message>
     <message>
         <source>&amp;Discard</source>

@@ -39,15 +39,9 @@ std::string textOf(const Json& content) {
     return content.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A case that only a newer program can read.
-struct NewerCase : std::exception {};
-
-/// @throws InputError, Json::exception for a file that is none of ours, NewerCase
+/// @throws InputError, Json::exception for a file that is none of ours
 RecoveredCase readKept(const QString& file) {
     const Json json = parse_json(read_text_file(fsPath(file)));
-    if (json.at("case").value("version", 0) > case_version) {
-        throw NewerCase();
-    }
     RecoveredCase kept;
     kept.content = workshop::as_job(read_case(json.at("case")));
     kept.path = keptText(json, "path");
@@ -205,9 +199,6 @@ bool Recovery::isLeft(const QString& name) const {
         return true;
     }
     const QString path = QDir(folder_).filePath(session + lockEnding);
-    if (const QFileInfo there(path); there.exists() && !there.isFile()) {
-        QFile::remove(path);  // a pipe, which would be waited for
-    }
     QLockFile lock(path);
     lock.setStaleLockTime(0);
     // Where nothing can be written it cannot be locked: nobody has it all the same.
@@ -247,8 +238,6 @@ Recovery::Found Recovery::leftBehind() {
             kept.order = left.fileName();
             kept.saved = left.lastModified();
             found.cases << std::move(kept);
-        } catch (const NewerCase&) {
-            found.newer << file;
         } catch (const std::bad_alloc&) {
             QFile::rename(file, left.filePath());  // whole, for a machine that has the memory
         } catch (const std::exception&) {

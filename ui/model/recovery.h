@@ -61,8 +61,7 @@ class Recovery : public QObject {
 
     struct Found {
         QList<RecoveredCase> cases;  ///< the newest first, `most` or fewer
-        QStringList damaged;         ///< unreadable files, where they are now
-        QStringList newer;           ///< files of a newer program, left to it
+        QStringList damaged;         ///< files that it cannot read, where they are now
     };
     static constexpr int maximum = 100;
     /// Files of programs that have ended. No other program is offered them while this one runs. Of

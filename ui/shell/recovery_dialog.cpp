@@ -49,13 +49,7 @@ void offerRecovered(QWidget* over, const Recovery::Found& found,
         lines << QStringLiteral("… (%1)").arg(cases.size());
     }
     for (const QString& file : found.damaged.mid(0, maximum)) {
-        lines << RecoveryDialog::tr("The copy of an unsaved case is damaged; it is now %1.")
-                     .arg(file);
-    }
-    for (const QString& file : found.newer.mid(0, maximum)) {
-        lines << RecoveryDialog::tr(
-                     "An unsaved case was written by a newer version of Ravnoves, "
-                     "which can open it: %1.")
+        lines << RecoveryDialog::tr("The copy of an unsaved case cannot be read; it is now %1.")
                      .arg(file);
     }
     if (lines.isEmpty()) {

@@ -150,17 +150,12 @@ TEST_F(RecoveryTest, OfTwoThousandTheNewestHundredAreOffered) {
     EXPECT_TRUE(QDir(keptIn()).entryList({QStringLiteral("*.lock")}).size() <= 1);
 }
 
-/// Neither is waited for.
-TEST_F(RecoveryTest, APipeInPlaceOfACaseOrALockIsPassedOver) {
+/// It is not waited for.
+TEST_F(RecoveryTest, APipeInPlaceOfACaseIsPassedOver) {
     Recovery::leave(document.model()->caseFile(), 17, keptIn());
-    const QDir folder(keptIn());
-    const QString one = kept().constFirst();
-    const auto makePipe = [&](const QString& name) {
-        return ::mkfifo(QFile::encodeName(folder.filePath(name)).constData(), 0600);
-    };
-    ASSERT_EQ(makePipe(one.left(32) + QStringLiteral(".lock")), 0);
-    ASSERT_EQ(makePipe(QString(32, QLatin1Char('a')) + QStringLiteral("-0001.json")), 0);
-    ASSERT_EQ(makePipe(QString(32, QLatin1Char('b')) + QStringLiteral(".lock")), 0);
+    const QString pipe =
+        QDir(keptIn()).filePath(QString(32, QLatin1Char('a')) + QStringLiteral("-0001.json"));
+    ASSERT_EQ(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
     Recovery next(keptIn());
     const Recovery::Found found = next.leftBehind();
     EXPECT_EQ(found.cases.size(), 1);
@@ -194,7 +189,7 @@ TEST_F(RecoveryTest, AFileAtTheNameOfADeletedOneIsAnother) {
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
 }
 
-TEST_F(RecoveryTest, ACaseOfANewerProgramIsLeftToIt) {
+TEST_F(RecoveryTest, ACaseOfANewerProgramIsKeptAside) {
     Recovery::leave(model.caseFile(), {}, keptIn());
     const QString path = QDir(keptIn()).filePath(kept().constFirst());
     Json json = parse_json(read_text_file(path.toStdString()));
@@ -202,9 +197,8 @@ TEST_F(RecoveryTest, ACaseOfANewerProgramIsLeftToIt) {
     write_text_file(path.toStdString(), json.dump());
     const Recovery::Found found = Recovery(keptIn()).leftBehind();
     EXPECT_TRUE(found.cases.isEmpty());
-    EXPECT_TRUE(found.damaged.isEmpty());
-    ASSERT_EQ(found.newer.size(), 1);
-    EXPECT_TRUE(QFile::exists(found.newer.constFirst()));
+    ASSERT_EQ(found.damaged.size(), 1);
+    EXPECT_TRUE(QFile::exists(found.damaged.constFirst()));
 }
 
 TEST_F(RecoveryTest, ADamagedFileIsKeptAside) {
