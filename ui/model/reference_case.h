@@ -39,10 +39,4 @@ class ReferenceCase : public QObject {
     QString name_;
 };
 
-/// The reference of a model, of the same scene; null: none.
-template <typename Model>
-const Model* referenceOf(Model* present) {
-    return static_cast<const Model*>(present->referenceCase().model());
-}
-
 }  // namespace ravnoves

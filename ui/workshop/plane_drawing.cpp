@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/reference_case.h"
-#include "page/compared_figure.h"
+#include "pictures/figure.h"
 #include "theme/theme.h"
 #include "widgets/panel.h"
 #include "workshop/model/workshop_model.h"
@@ -144,21 +143,10 @@ class PlaneDrawing {
     }
 
     void drawVectors(const PlaneResult& result) {
-        const PlaneResult* before =
-            shown_.reference != nullptr ? resultOf(*shown_.reference, shown_.plane) : nullptr;
         const double limit = limitOf(shown_.solution, shown_.plane);
-        const double longest =
-            std::max({1e-12, limit, result.unbalance, before != nullptr ? before->unbalance : 0.0,
-                      before != nullptr ? limitOf(*shown_.reference, shown_.plane) : 0.0});
+        const double longest = std::max({1e-12, limit, result.unbalance});
         const double scale = 0.86 * rim_ / longest;
         painter_.setBrush(Qt::NoBrush);
-        if (before != nullptr) {
-            painter_.setPen(ComparedFigure::ghostPen(style_.reading));
-            painter_.drawLine(QPointF(0, 0), onCircle(before->angle, before->unbalance * scale));
-            painter_.setPen(ComparedFigure::ghostPen(style_.limit, 4.0));
-            const double was = limitOf(*shown_.reference, shown_.plane) * scale;
-            painter_.drawEllipse(QPointF(0, 0), was, was);
-        }
         if (limit > 0.0) {
             painter_.setPen(QPen(style_.limit, 1.15 * style_.lineWidth, Qt::DashLine));
             painter_.drawEllipse(QPointF(0, 0), limit * scale, limit * scale);
@@ -191,12 +179,13 @@ class PlaneDrawing {
 };
 
 /// A plane as the machine sees it.
-class PlaneView final : public ComparedFigure {
+class PlaneView final : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::PlaneView)
 
   public:
     PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
-        : ComparedFigure(parent), model_(model), plane_(plane) {
+        : QWidget(parent), model_(model), plane_(plane) {
+        makeFigure(this);
         setObjectName(QStringLiteral("plane_%1").arg(plane + 1));
         const auto repaint = [this] {
             setAccessibleName(model_->planeName(plane_));
@@ -207,7 +196,6 @@ class PlaneView final : public ComparedFigure {
             connect(model_, signal, this, repaint);
         }
         connect(&Theme::instance(), &Theme::changed, this, repaint);
-        followReference(model_);
         setToolTip(
             tr("Arrow: reading; dashed circle: limit; dot: residual; rim: holes and slugs, "
                "existing holes dimmed. Front view, angles as on the machine."));
@@ -222,7 +210,6 @@ class PlaneView final : public ComparedFigure {
         QPainter painter(this);
         const Theme& theme = Theme::instance();
         const QRect title = paintPanel(painter, rect(), model_->planeName(plane_));
-        paintReference(painter, title);
         const QFont small = Theme::font(Theme::smallSize);
         painter.setFont(small);
         painter.setPen(theme.mutedText());
@@ -230,12 +217,9 @@ class PlaneView final : public ComparedFigure {
         QRect said;
         painter.drawText(foot, Qt::AlignHCenter | Qt::AlignBottom, caption(), &said);
         const WorkshopModel& shown = model_->shown();
-        const WorkshopModel* other = referenceOf(model_);
         const QRectF target(QPointF(foot.left(), title.bottom() + Theme::gap),
                             QPointF(foot.right() + 1, said.top()));
-        drawPlane(painter, target,
-                  {shown.input(), shown.solution(), plane_,
-                   other != nullptr ? &other->solution() : nullptr},
+        drawPlane(painter, target, {shown.input(), shown.solution(), plane_},
                   {.line = theme.text(),
                    .thin = theme.grid(),
                    .text = theme.mutedText(),

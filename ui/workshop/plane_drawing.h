@@ -20,8 +20,6 @@ struct PlaneShown {
     const workshop::Input& input;
     const bob_weights::Result& solution;
     std::size_t plane;
-    /// Reading and limit of another case, drawn dimmed; null: none.
-    const bob_weights::Result* reference = nullptr;
 };
 
 /// Colours and type: the theme's on the screen, black on paper.
@@ -45,7 +43,7 @@ struct PlaneStyle {
 void drawPlane(QPainter& painter, const QRectF& target, const PlaneShown& shown,
                const PlaneStyle& style);
 
-/// The picture of a plane. Of a reference it shows reading and limit.
+/// The picture of a plane.
 QWidget* planeView(WorkshopModel* model, std::size_t plane, QWidget* parent);
 
 }  // namespace ravnoves

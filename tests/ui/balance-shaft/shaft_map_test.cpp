@@ -248,7 +248,7 @@ TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsBestPlacesToo) {
     change([](balance_shaft::Input& input) { input.crank_radius *= 1.2; });
     wait();
     ASSERT_TRUE(test::comes([&] { return plot->data().hasGhosts(); }));
-    const auto* other = referenceOf(model);
+    const auto* other = static_cast<const BalanceShaftModel*>(model->referenceCase().model());
     ASSERT_NE(other, nullptr);
     EXPECT_NE(other->shaftMap()->best()->criteria.range, map->best()->criteria.range);
     model->setCriterion(Criterion::rms);
