@@ -3,8 +3,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QLabel>
-#include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
 #include <QSettings>
@@ -25,7 +23,7 @@ namespace {
 
 using Choices = QList<std::pair<QString, QVariant>>;
 
-/// A setting: `take` gets the data of what the user chose.
+/// A setting: `take` gets the data of what the user chose where that is another.
 struct Row {
     const char* name;
     QString label;
@@ -38,26 +36,8 @@ struct Row {
 }  // namespace
 
 SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent) {
-    columnIn(this)->setSizeConstraint(QLayout::SetFixedSize);
-    build();
-    connect(&Preferences::instance(), &Preferences::changed, this, &SettingsDialog::build);
-}
-
-void SettingsDialog::build() {
-    const QString focused = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
-    if (content_ != nullptr) {
-        // A box of it may be what has just been chosen in.
-        content_->hide();
-        content_->setObjectName({});
-        for (QWidget* each : content_->findChildren<QWidget*>()) {
-            each->setObjectName({});
-        }
-        content_->deleteLater();
-    }
     setWindowTitle(tr("Settings"));
-    content_ = new QWidget(this);
-    layout()->addWidget(content_);
-    auto* form = new QWidget(content_);
+    auto* form = new QWidget(this);
     auto* list = new QFormLayout(form);
     list->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
     list->setSpacing(Theme::space);
@@ -149,30 +129,29 @@ void SettingsDialog::build() {
         box->setAccessibleDescription(row.hint);
         list->addRow(row.label, box);
         box->setAccessibleName(QString(row.label).remove(QLatin1Char('&')));
-        connect(box, &QComboBox::activated, this,
-                [box, take = row.take](int index) { take(box->itemData(index)); });
+        connect(this, &QDialog::accepted, box, [box, row] {
+            if (box->currentData() != row.present) {
+                row.take(box->currentData());
+            }
+        });
     }
 
     // With large text all of it may be higher than the screen.
-    QScrollArea* area = scrolled(form, content_);
+    QScrollArea* area = scrolled(form, this);
     area->setMinimumWidth(form->sizeHint().width() + area->verticalScrollBar()->sizeHint().width() +
                           4);
     constexpr int reserve = 130;  // buttons, title and what a desktop keeps for itself
     area->setFixedHeight(std::min(form->sizeHint().height() + 2,
                                   screen()->availableSize().height() - Theme::withText(reserve)));
 
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, content_);
-    buttons->button(QDialogButtonBox::Close)->setIcon({});  // black on black in the dark theme
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter ends an entry
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-    auto* column = columnIn(content_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = columnIn(this);
+    column->setSizeConstraint(QLayout::SetFixedSize);
     column->addWidget(area);
     buttons->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::margin);
     column->addWidget(buttons);
-    if (auto* again = content_->findChild<QWidget*>(focused);
-        again != nullptr && !focused.isEmpty()) {
-        again->setFocus();
-    }
 }
 
 }  // namespace ravnoves

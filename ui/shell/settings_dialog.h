@@ -4,18 +4,13 @@
 
 namespace ravnoves {
 
-/// Theme, size of the text, language, digits, units. A choice applies at once, here as well, and is
-/// kept for the next start.
+/// Theme, size of the text, language, digits, units. What is chosen applies once it is accepted,
+/// and is kept for the next start.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
   public:
     explicit SettingsDialog(QWidget* parent = nullptr);
-
-  private:
-    void build();
-
-    QWidget* content_ = nullptr;
 };
 
 }  // namespace ravnoves

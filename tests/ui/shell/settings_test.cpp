@@ -1,4 +1,4 @@
-// Settings hold at once: in the window that is open, with what is on its pages.
+// Settings hold once they are accepted: in the window that is open, with what is on its pages.
 
 #include <gtest/gtest.h>
 
@@ -38,6 +38,8 @@ class Settings : public ::testing::Test {
 
     SettingsDialog* open() {
         if (window.findChild<SettingsDialog*>() == nullptr) {
+            window.activateWindow();
+            QApplication::processEvents();
             QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
             QApplication::processEvents();
         }
@@ -47,7 +49,7 @@ class Settings : public ::testing::Test {
     }
     /// Chooses by the keyboard, as a user does.
     void choose(const char* name, const QVariant& data) {
-        const SettingsDialog* dialog = open();
+        SettingsDialog* dialog = open();
         auto* box = test::named<QComboBox>(*dialog, name);
         const int wanted = box->findData(data);
         ASSERT_GE(wanted, 0) << name;
@@ -55,11 +57,12 @@ class Settings : public ::testing::Test {
         while (box->currentIndex() != wanted) {
             const int before = box->currentIndex();
             QTest::keyClick(box, before < wanted ? Qt::Key_Down : Qt::Key_Up);
-            QApplication::processEvents();
-            // What was chosen may have made the dialog again.
-            box = test::named<QComboBox>(*dialog, name);
             ASSERT_NE(box->currentIndex(), before) << name;
         }
+        QTest::keyClick(dialog, Qt::Key_Return);
+        ASSERT_FALSE(dialog->isVisible());
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QApplication::processEvents();
     }
     template <typename Widget>
     Widget* onPage(const char* name) {
@@ -113,7 +116,6 @@ TEST_F(Settings, LanguageChangesAtOnceAndThePageGoesOn) {
               field);
     EXPECT_TRUE(onPage<QLineEdit>("crank_radius_mm")->isEnabled());
     // The history is the same: one step back is the value of before.
-    open()->close();
     window.activateWindow();
     QApplication::processEvents();
     ASSERT_TRUE(model->history()->canUndo());
