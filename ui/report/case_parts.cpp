@@ -115,10 +115,9 @@ void addTable(const ScenePage& page, const PagePart& part, const Results& result
     group.tables += paper::table(table);
 }
 
-/// The pictures: that of the mechanism is part of the answer, else the first two beside the tabs.
+/// The pictures: that of the mechanism is part of the answer, else those beside the tabs.
 void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& answer,
                  Paper& report) {
-    constexpr QSize half(330, 230);  // of the paper's width
     std::vector<QWidget*> others;
     for (QWidget* picture : page.findChildren<QWidget*>()) {
         if (!isFigure(picture) || isEmptyFigure(picture) ||
@@ -134,17 +133,9 @@ void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& ans
             others.push_back(picture);
         }
     }
-    auto rest = others.begin();
-    if (answer.figures.isEmpty() && others.size() > 1) {
-        const QString left = report.picture(drawingOf(others[0], half));
-        const QString right = report.picture(drawingOf(others[1], half));
-        answer.figures += QStringLiteral("<p class=\"figure\">%1%2<br/>%3 · %4</p>\n")
-                              .arg(left, right, others[0]->accessibleName().toHtmlEscaped(),
-                                   others[1]->accessibleName().toHtmlEscaped());
-        rest += 2;
-    }
-    for (; rest != others.end(); ++rest) {
-        groups.front().figures += report.figure(drawingOf(*rest));
+    PageGroup& beside = answer.figures.isEmpty() ? answer : groups.front();
+    for (QWidget* picture : others) {
+        beside.figures += report.figure(drawingOf(picture));
     }
 }
 

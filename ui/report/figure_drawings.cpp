@@ -121,8 +121,4 @@ Drawing drawingOf(QWidget* figure) {
                  laidOut.scaled(maxOfPicture.boundedTo(larger * laidOut), Qt::KeepAspectRatio));
 }
 
-Drawing drawingOf(QWidget* picture, const QSize& size) {
-    return drawn(picture, size, size);
-}
-
 }  // namespace ravnoves

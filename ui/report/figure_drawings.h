@@ -10,8 +10,6 @@ namespace ravnoves {
 
 /// A plot of the page, as tall as on the page, or a picture in its shape there.
 paper::Drawing drawingOf(QWidget* figure);
-/// The same of a picture that fills any shape.
-paper::Drawing drawingOf(QWidget* picture, const QSize& size);
 /// A figure that was made for the report, at its size.
 paper::Drawing drawingOf(const std::shared_ptr<QWidget>& figure);
 
