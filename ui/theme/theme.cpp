@@ -1,10 +1,6 @@
 #include "theme/theme.h"
 
 #include <QApplication>
-#include <QDBusConnection>
-#include <QDBusMessage>
-#include <QDBusReply>
-#include <QDBusVariant>
 #include <QFontDatabase>
 #include <QHash>
 #include <QIcon>
@@ -324,30 +320,6 @@ class ProgramStyle : public QProxyStyle {
     }
 };
 
-/// What the desktop's portal says, color-scheme 1 being dark: Qt 6.4 does not tell, its
-/// QStyleHints::colorScheme() came with 6.5. Without an answer what the platform's palette says.
-bool isDesktopDark() {
-    const bool isPaletteDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
-    if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
-        qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) {
-        return isPaletteDark;
-    }
-    QDBusMessage call = QDBusMessage::createMethodCall(
-        QStringLiteral("org.freedesktop.portal.Desktop"),
-        QStringLiteral("/org/freedesktop/portal/desktop"),
-        QStringLiteral("org.freedesktop.portal.Settings"), QStringLiteral("Read"));
-    call << QStringLiteral("org.freedesktop.appearance") << QStringLiteral("color-scheme");
-    constexpr int patienceMs = 200;  // the window waits for it
-    const QDBusReply<QDBusVariant> reply =
-        QDBusConnection::sessionBus().call(call, QDBus::Block, patienceMs);
-    if (!reply.isValid()) {
-        return isPaletteDark;
-    }
-    const QVariant value = reply.value().variant();  // the number is in a second variant
-    return (value.canConvert<QDBusVariant>() ? value.value<QDBusVariant>().variant() : value)
-               .toUInt() == 1;
-}
-
 QString bundledFamily() {
     static const QString family = [] {
         const int id =
@@ -376,7 +348,7 @@ void Theme::install(Mode mode) {
     }
     QApplication::setFont(font());
     mode_ = mode;
-    desktopDark_ = isDesktopDark();
+    desktopDark_ = QApplication::palette().color(QPalette::Window).lightness() < 128;
     apply();
 }
 

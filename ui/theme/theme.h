@@ -13,8 +13,8 @@ namespace ravnoves {
 
 /// The look of the program: palette, colours of curves, type and spacing scale.
 ///
-/// One instance for the application. It is light or dark as the desktop was at the start, until the
-/// user chooses; changed() tells custom-painted widgets to repaint.
+/// One instance for the application. It is light or dark as the palette of the desktop at the
+/// start, until the user chooses; changed() tells custom-painted widgets to repaint.
 class Theme : public QObject {
     Q_OBJECT
 
