@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
@@ -221,7 +222,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     jobsBox_->hide();
     addLine(jobs_, -1, QStringLiteral("journal"), tr("Journal…"), {}, "start-journal", {},
             [this] { Q_EMIT journalRequested(); });
-    content->installEventFilter(this);
+    QTimer::singleShot(0, this, &StartPage::showJobs);  // a slow disk must not delay the rest
 
     auto* recentBox = new QWidget(content);
     QVBoxLayout* recent = column(recentBox, tr("Files"));
@@ -286,15 +287,6 @@ void StartPage::resizeEvent(QResizeEvent* event) {
         grid_->addWidget(cards_[static_cast<std::size_t>(i)], i / columns, i % columns);
         grid_->setColumnStretch(i, i < columns ? 1 : 0);
     }
-}
-
-bool StartPage::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Paint) {
-        watched->removeEventFilter(this);
-        // After the first picture: a slow disk must not delay it.
-        QMetaObject::invokeMethod(this, &StartPage::showJobs, Qt::QueuedConnection);
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace ravnoves

@@ -33,7 +33,6 @@ class StartPage : public QWidget {
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     /// The newest jobs of the journal; nothing of a journal that cannot be opened.

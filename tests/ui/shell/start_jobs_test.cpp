@@ -11,7 +11,6 @@
 #include "case-file/json.h"
 #include "files.h"
 #include "scene_tests.h"
-#include "shell/start_page.h"
 #include "shell/window_test.h"
 #include "shop/model/journal.h"
 
@@ -93,11 +92,6 @@ TEST_F(StartJobsTest, WhatCannotBeOpenedIsPassedOverAndStaysAsItIs) {
 
 TEST_F(StartJobsTest, TheNewestFiveAreListedWithWhatTheyAre) {
     keepSeven();
-    {
-        StartPage page;  // not before it is seen
-        QApplication::processEvents();
-        EXPECT_TRUE(page.findChildren<QWidget*>(u"start-job"_s).isEmpty());
-    }
     showStart();
     ASSERT_TRUE(test::comes([&] { return jobs().size() == 5; }));
     EXPECT_TRUE(journalButton()->isVisible());
