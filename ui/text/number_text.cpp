@@ -144,14 +144,7 @@ QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     if (std::abs(value) * scale < longestSum) {
         shown *= 1.0 + bit;
     }
-    // What a tenth of the time does for most: a page has a hundred that follow the hand. A half is
-    // rounded to even there and up by the locale.
-    const double size = std::abs(shown) * scale;
-    if (size - std::floor(size) == 0.5 || locale.zeroDigit() != QLatin1String("0")) {
-        return trueMinus(plain(locale).toString(shown, 'f', decimals));
-    }
-    QString text = QString::fromStdString(fixed_decimals(shown, decimals));
-    return trueMinus(text.replace(QLatin1Char('.'), locale.decimalPoint()));
+    return trueMinus(plain(locale).toString(shown, 'f', decimals));
 }
 
 QString rangeText(const Range& range, const QString& unit) {
