@@ -22,7 +22,6 @@ namespace {
 
 constexpr int keepDelay = 400;  // ms
 constexpr int sessionLength = 32;
-constexpr qint64 maxRead = 32'000'000;  // bytes of what is left
 const QString keptEnding = QStringLiteral(".json");
 const QString lockEnding = QStringLiteral(".lock");
 const QString damagedEnding = QStringLiteral(".damaged");
@@ -214,17 +213,15 @@ Recovery::Found Recovery::leftBehind() {
         isLeft(name);
     }
     isLocked();
-    qint64 read = 0;
     int files = 0;
     for (const QFileInfo& left : leftFiles()) {
-        if (files >= maximum || read >= maxRead) {
+        if (files >= maximum) {
             break;
         }
         if (!isLeft(left.fileName())) {
             continue;  // that program runs
         }
         ++files;
-        read += left.size();
         QString file = newFile();
         if (!QFile::rename(left.filePath(), file)) {
             if (!QFile::exists(left.filePath())) {
@@ -235,7 +232,6 @@ Recovery::Found Recovery::leftBehind() {
         try {
             RecoveredCase kept = readKept(file);
             kept.file = file;
-            kept.order = left.fileName();
             kept.saved = left.lastModified();
             found.cases << std::move(kept);
         } catch (const std::bad_alloc&) {

@@ -23,8 +23,7 @@ class CaseDocument;
 
 /// An unsaved case as the program left it when it ended unexpectedly.
 struct RecoveredCase {
-    QString file;   ///< that it is kept in
-    QString order;  ///< sorts the cases of one program as they were opened
+    QString file;  ///< that it is kept in
     QDateTime saved;
     QString path;      ///< of the case; empty where it had no file
     QByteArray known;  ///< FileOnDisk::digest() of that file

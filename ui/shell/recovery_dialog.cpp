@@ -72,12 +72,9 @@ void offerRecovered(QWidget* over, const Recovery::Found& found,
     QObject::connect(box, &QDialog::finished, over, [=] {
         const auto pressed = box->buttonRole(box->clickedButton());
         if (pressed == QMessageBox::AcceptRole) {
-            QList<RecoveredCase> ordered = cases;
-            std::ranges::stable_sort(ordered, {},
-                                     &RecoveredCase::order);  // tabs stand as they stood
-            for (const RecoveredCase& each : ordered) {
-                if (restore(each)) {
-                    Recovery::discard(each);
+            for (auto each = cases.rbegin(); each != cases.rend(); ++each) {  // the newest in front
+                if (restore(*each)) {
+                    Recovery::discard(*each);
                 }
             }
         } else if (pressed == QMessageBox::DestructiveRole) {
