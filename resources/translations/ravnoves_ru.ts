@@ -14462,14 +14462,6 @@ but at this l no α is feasible</source>
         <translation>Принято</translation>
     </message>
     <message>
-        <source>Pages</source>
-        <translation>Страницы</translation>
-    </message>
-    <message>
-        <source>Samples of the tolerances</source>
-        <translation>Пробы по допускам</translation>
-    </message>
-    <message>
         <source>Results with tolerances</source>
         <translation>Результаты с допусками</translation>
     </message>

@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 
-#include "model/background_job.h"
 #include "model/reference_case.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
@@ -155,7 +154,7 @@ Tone toneOf(Severity severity) {
     return Tone::Text;
 }
 
-CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, double share) {
+CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience) {
     const auto isBusy = [&page] { return page.isBusy(); };
     SceneModel& model = *page.model();
     model.needParts();
@@ -166,10 +165,6 @@ CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, do
     patience.waitWhile(isBusy, jobPatienceMs);
     if (bands != nullptr) {
         bands->findAll();
-        const QObject reported;
-        QObject::connect(bands->job(), &BackgroundJob::progress, &reported, [&](double part) {
-            patience.tell(ReportWords::tr("Samples of the tolerances"), share * part);
-        });
         patience.waitWhile(isBusy, jobPatienceMs);
     }
     PageGroup answer;

@@ -208,13 +208,9 @@ Paper makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& ch
                                                  .arg(ReportWords::tr("Report of a calculation: %1")
                                                           .arg(model.sceneTitle())
                                                           .toHtmlEscaped());
-    const auto [answer, groups] =
-        caseParts(page, report, patience, model.study().empty() ? 0.9 : 0.7);
+    const auto [answer, groups] = caseParts(page, report, patience);
     addAnswer(report, page, answer);
     addVariants(report, model);
-    if (!model.study().empty()) {
-        patience.tell(ReportWords::tr("Tolerances"), 0.7);
-    }
     addTolerances(report, model, patience);
     if (choice.inputs) {
         report.body += heading(ReportWords::tr("Inputs"));
@@ -230,7 +226,6 @@ Paper makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& ch
         addTheory(report, model);
     }
     addCase(report, model, document, date);
-    patience.tell(ReportWords::tr("Pages"), 0.95);
     return report;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <QString>
+#include <QtGlobal>
 #include <exception>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace ravnoves {
 
@@ -18,11 +19,9 @@ class Patience {
   public:
     /// @param isCancelled  of a visible dialog that blocks the rest of the program; without it no
     ///                     input is handled, for it would change the report
-    /// @param tell         receives the present part and the share done, 0…1
-    explicit Patience(std::function<bool()> isCancelled = {},
-                      std::function<void(const QString& stage, double part)> tell = {});
+    explicit Patience(std::function<bool()> isCancelled = {})
+        : isCancelled_(std::move(isCancelled)) {}
 
-    void tell(const QString& stage, double part) const;
     /// Handles pending events.
     /// @throws ReportCancelled
     void wait() const;
@@ -32,7 +31,6 @@ class Patience {
 
   private:
     std::function<bool()> isCancelled_;
-    std::function<void(const QString&, double)> tell_;
 };
 
 }  // namespace ravnoves

@@ -38,8 +38,7 @@ paper::Tone toneOf(Severity severity);
 /// The content of a page, part by part, with its pictures. The answer is beside the tabs: its words
 /// and tables, and the picture of the mechanism. The page is unchanged: plots and tables are made
 /// for the report alone, which keeps the pictures.
-/// @param share  of the progress of the whole report
-CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience, double share);
+CaseParts caseParts(ScenePage& page, Paper& report, const Patience& patience);
 
 /// What the case gives, as its file has it: the numbers of each object in one table with their
 /// units, each list of objects in one of its own.

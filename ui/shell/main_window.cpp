@@ -460,9 +460,7 @@ void MainWindow::exportReport() {
         return;
     }
     // Tolerances take up to a minute.
-    QProgressDialog progress(tr("Writing the report…"), tr("Cancel"), 0, 100, this);
-    progress.setAutoClose(false);
-    progress.setAutoReset(false);
+    QProgressDialog progress(tr("Writing the report…"), tr("Cancel"), 0, 0, this);
     progress.setWindowTitle(tr("Report"));
     progress.setWindowModality(Qt::ApplicationModal);
     // The Return that ended the dialog before, or one more, cancels nothing: Space and Escape do.
@@ -472,16 +470,9 @@ void MainWindow::exportReport() {
     // gone through.
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
     const QString trouble =
-        writeReport(path, Patience([&progress] { return progress.wasCanceled(); },
-                                   [&progress](const QString& stage, double part) {
-                                       progress.setLabelText(tr("Writing the report…") +
-                                                             QLatin1Char('\n') + stage);
-                                       const int percent = static_cast<int>(100.0 * part);
-                                       progress.setValue(std::max(percent, progress.value()));
-                                   }));
-    const bool isCancelled = progress.wasCanceled();
-    progress.reset();
-    if (isCancelled) {
+        writeReport(path, Patience([&progress] { return progress.wasCanceled(); }));
+    progress.hide();
+    if (progress.wasCanceled()) {
         say(tr("Cancelled: the report was not written."), 10s);
     } else if (trouble.isEmpty()) {
         say(tr("Report written: %1").arg(path));

@@ -280,7 +280,7 @@ TEST_F(ReportInWindow, CanBeCancelledAndLeavesNothing) {
     }
 }
 
-TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnceAndSaysHowFarItIs) {
+TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnce) {
     ASSERT_EQ(window.openCase(example()), QString());
     ScenePage* page = window.currentPage();
     ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
@@ -292,17 +292,8 @@ TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnceAndSaysHowFarItIs) {
     auto* bands = page->findChild<ToleranceBands*>();
     ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
     const QSignalSpy runs(bands->job(), &BackgroundJob::finished);
-    QStringList stages;
-    double last = 0.0;
-    const Patience patience({}, [&](const QString& stage, double part) {
-        stages << stage;
-        EXPECT_GE(part, last) << stage.toStdString();
-        last = part;
-    });
-    ASSERT_EQ(window.writeReport(file(u"a.html"_s), patience), QString());
+    ASSERT_EQ(window.writeReport(file(u"a.html"_s)), QString());
     EXPECT_EQ(runs.count(), 1);
-    EXPECT_TRUE(stages.contains(u"Samples of the tolerances"_s));
-    EXPECT_GE(last, 0.9);
     int spread = 0;
     for (const PlotView* plot : page->findChildren<PlotView*>()) {
         spread += !plot->isVisible() && plot->data().curves.size() > 1 &&
