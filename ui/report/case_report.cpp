@@ -252,20 +252,17 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
     return writeFile(path, [&] {
         // Paper is white: the page is drawn in the light theme meanwhile, unseen.
         Theme& theme = Theme::instance();
-        const auto setMode = [&](Theme::Mode mode) {
-            if (mode != theme.mode()) {
-                theme.setMode(mode);
-            }
-        };
         QApplication::setOverrideCursor(Qt::WaitCursor);
         page.window()->setUpdatesEnabled(false);
-        const auto restore = qScopeGuard([&, mode = theme.mode()] {
-            setMode(mode);
+        const auto restore = qScopeGuard([&, mode = theme.mode(), wasDark = theme.isDark()] {
+            if (wasDark) {
+                theme.setMode(mode);
+            }
             page.window()->setUpdatesEnabled(true);
             QApplication::restoreOverrideCursor();
         });
         if (theme.isDark()) {
-            setMode(Theme::Mode::Light);
+            theme.setMode(Theme::Mode::Light);
         }
         const ReportChoice choice;
         const Paper report = makeReport(page, document, choice, patience);
