@@ -1,6 +1,5 @@
 // Opening, saving and closing of the documents, with the questions to the user.
 
-#include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
