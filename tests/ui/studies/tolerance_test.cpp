@@ -465,9 +465,8 @@ TEST_F(Tolerances, WhatIsTypedAfterAResultIsPickedIsItsLimit) {
 }
 
 TEST_F(Tolerances, WhatHasTwoMeaningsIsAskedFor) {
-    EXPECT_TRUE(tolerances->model()
-                    ->setScatter({{"/centre_distance_mm", u"1,000"_s}})
-                    .contains(u"may be 1000 or 1:"_s));
+    scatter("/centre_distance_mm", u"1,000"_s);
+    EXPECT_TRUE(tolerances->inputs()->trouble().contains(u"may be 1000 or 1:"_s));
     EXPECT_TRUE(study().vary.empty());
     watch("/metrics/M_ups/range_Nm");
     type(tolerances->watched(), 0, WatchTable::Maximum, u"1,100"_s);
@@ -476,11 +475,12 @@ TEST_F(Tolerances, WhatHasTwoMeaningsIsAskedFor) {
     EXPECT_EQ(study().watch[0].max, 1.1);
     // Limits of an angle across 0° are written a turn on.
     watch("/optimum/range/shaft_angle_deg");
-    const QString why =
-        tolerances->model()->setLimits({{"/optimum/range/shaft_angle_deg", 355.0, 3.0}});
+    type(tolerances->watched(), 1, WatchTable::Minimum, u"355"_s);
+    type(tolerances->watched(), 1, WatchTable::Maximum, u"3"_s);
+    const QString why = tolerances->watched()->trouble();
     EXPECT_TRUE(why.contains(u"enter 363 instead of 3"_s)) << why.toStdString();
-    EXPECT_EQ(tolerances->model()->setLimits({{"/optimum/range/shaft_angle_deg", 355.0, 363.0}}),
-              QString());
+    type(tolerances->watched(), 1, WatchTable::Maximum, u"363"_s);
+    EXPECT_EQ(tolerances->watched()->trouble(), QString());
 }
 
 TEST_F(Tolerances, AreTypedInTheUnitOfTheField) {

@@ -71,10 +71,10 @@ class StudyModel : public QObject {
 
     /// "0.02", "1 %", "σ 0.5", in the unit of its field; empty where the input does not scatter.
     static QString scatterText(const Input& input);
-    /// Takes the same of some inputs by their pointers, as one step; an empty text takes an input
-    /// out. All of them are taken, or none.
+    /// Takes the same of an input into a study; an empty text takes the input out.
     /// @return an empty string, or why it cannot be
-    QString setScatter(const std::vector<std::pair<std::string, QString>>& texts);
+    QString readScatter(studies::Study& next, const std::string& pointer,
+                        const QString& text) const;
     static constexpr double weighedGrams = 0.5;
     static constexpr double machinedMm = 0.05;
     /// Gives inputs their usual scatter: masses and lengths these, or all of them ± 1 %.
@@ -82,16 +82,15 @@ class StudyModel : public QObject {
     /// Removes all scatters and watched results, with the case's study, a rejected one too.
     void clear();
     void watch(const std::string& pointer);
-    void unwatch(const std::vector<std::string>& pointers);
     /// A limit of a result for typing, in the unit shown.
     QString limitText(const std::string& pointer, const std::optional<double>& limit) const;
     /// Takes the same into a limit.
     /// @return an empty string, or why it cannot be
     QString readLimit(const std::string& pointer, const QString& text,
                       std::optional<double>& limit) const;
-    /// Other limits of some that are watched, as one step: all of them, or none.
+    /// Another study, as one step of the history.
     /// @return an empty string, or why it cannot be
-    QString setLimits(const std::vector<studies::Watched>& limits);
+    QString change(const QString& name, const studies::Study& next);
     void setMethod(studies::Method method);
     void setSamples(std::uint64_t samples);
 
@@ -126,11 +125,6 @@ class StudyModel : public QObject {
     /// The history says that something happened: a drag says no more than that.
     void move();
     void readStudy();
-    /// Puts the typed scatter of an input into a study.
-    /// @return an empty string, or the fault
-    QString readScatter(studies::Study& next, const std::string& pointer,
-                        const QString& text) const;
-    void change(const QString& name, const studies::Study& next);
     /// Newer answers are to come, when the hand that moves something rests.
     void outdate();
     void start();

@@ -6,7 +6,6 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/editable_table.h"
 #include "model/scene_model.h"
 #include "studies/model/study_model.h"
 #include "text/number_text.h"
@@ -58,25 +57,6 @@ QString StudyModel::scatterText(const Input& input) {
             break;  // such a study is not shown
     }
     return {};
-}
-
-QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>>& texts) {
-    if (isRejected_) {
-        return trouble_;
-    }
-    Study next = study_;
-    QStringList troubles;
-    for (const auto& [pointer, text] : texts) {
-        const QString why = readScatter(next, pointer, text);
-        if (!why.isEmpty()) {
-            troubles << (texts.size() > 1 ? inputName(pointer) + QStringLiteral(": ") + why : why);
-        }
-    }
-    QString all = saidTroubles(troubles);
-    if (all.isEmpty()) {
-        change(tr("Tolerance"), next);
-    }
-    return all;
 }
 
 QString StudyModel::readScatter(Study& next, const std::string& pointer,
@@ -157,14 +137,6 @@ void StudyModel::watch(const std::string& pointer) {
     }
 }
 
-void StudyModel::unwatch(const std::vector<std::string>& pointers) {
-    Study next = study_;
-    std::erase_if(next.watch, [&](const Watched& each) {
-        return std::ranges::find(pointers, each.pointer) != pointers.end();
-    });
-    change(tr("Watch a result"), next);
-}
-
 QString StudyModel::limitText(const std::string& pointer,
                               const std::optional<double>& limit) const {
     return limit ? writtenShown(*limit, resultName(pointer).shown().factor) : QString();
@@ -186,30 +158,6 @@ QString StudyModel::readLimit(const std::string& pointer, const QString& text,
     return {};
 }
 
-QString StudyModel::setLimits(const std::vector<Watched>& limits) {
-    if (isRejected_) {
-        return trouble_;
-    }
-    Study next = study_;
-    for (const Watched& limit : limits) {
-        if (limit.min && limit.max && *limit.min > *limit.max) {
-            const double period = resultName(limit.pointer).period;
-            if (period == 0.0) {
-                return tr("The lower limit is above the upper limit.");
-            }
-            const double across =
-                *limit.max + period * std::ceil((*limit.min - *limit.max) / period);
-            return tr("The lower limit is above the upper limit: across 0° enter %1 instead of %2.")
-                .arg(formNumber(across, QLocale()), formNumber(*limit.max, QLocale()));
-        }
-        std::replace_if(
-            next.watch.begin(), next.watch.end(),
-            [&](const Watched& each) { return each.pointer == limit.pointer; }, limit);
-    }
-    change(tr("Limits"), next);
-    return {};
-}
-
 void StudyModel::setMethod(studies::Method method) {
     Study next = study_;
     next.method = method;
@@ -222,12 +170,27 @@ void StudyModel::setSamples(std::uint64_t samples) {
     change(tr("Samples"), next);
 }
 
-void StudyModel::change(const QString& name, const Study& next) {
-    if (isRejected_ || next == study_) {
-        return;  // nothing replaces what was not understood
+QString StudyModel::change(const QString& name, const Study& next) {
+    if (isRejected_) {
+        return trouble_;  // nothing replaces what was not understood
     }
-    const bool isEmpty = next.vary.empty() && next.watch.empty();
-    scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
+    for (const Watched& limits : next.watch) {
+        if (limits.min && limits.max && *limits.min > *limits.max) {
+            const double period = resultName(limits.pointer).period;
+            if (period == 0.0) {
+                return tr("The lower limit is above the upper limit.");
+            }
+            const double across =
+                *limits.max + period * std::ceil((*limits.min - *limits.max) / period);
+            return tr("The lower limit is above the upper limit: across 0° enter %1 instead of %2.")
+                .arg(formNumber(across, QLocale()), formNumber(*limits.max, QLocale()));
+        }
+    }
+    if (next != study_) {
+        const bool isEmpty = next.vary.empty() && next.watch.empty();
+        scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
+    }
+    return {};
 }
 
 }  // namespace ravnoves

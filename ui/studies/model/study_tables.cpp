@@ -7,24 +7,33 @@
 
 namespace ravnoves {
 
-StudyTable::StudyTable(StudyModel* model, QStringList headings, QObject* parent)
-    : EditableTable(parent), model_(model), headings_(std::move(headings)) {
+StudyTable::StudyTable(StudyModel* model, ResultColumns columns, int typed, QString step,
+                       QObject* parent)
+    : EditableTable(parent),
+      model_(model),
+      columns_(std::move(columns)),
+      typed_(typed),
+      step_(std::move(step)) {
     connect(model_, &StudyModel::changed, this, &StudyTable::follow);
 }
 
 int StudyTable::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(headings_.size());
+    return parent.isValid() ? 0 : static_cast<int>(columns_.size());
 }
 
 Qt::ItemFlags StudyTable::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = EditableTable::flags(index);
-    flags.setFlag(Qt::ItemIsEditable, isTyped(index.row(), index.column()));
+    flags.setFlag(Qt::ItemIsEditable, index.column() >= typed_);
     return flags;
 }
 
 QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int role) const {
-    const bool isText = orientation == Qt::Horizontal && role == Qt::DisplayRole;
-    return isText ? headings_.value(section) : QVariant();
+    if (orientation != Qt::Horizontal || section >= columnCount()) {
+        return {};
+    }
+    return role == Qt::DisplayRole   ? columns_[section].heading
+           : role == Qt::ToolTipRole ? QVariant(columns_[section].tip)
+                                     : QVariant();
 }
 
 QVariant StudyTable::data(const QModelIndex& index, int role) const {
@@ -45,8 +54,19 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
 }
 
 bool StudyTable::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (role != Qt::EditRole || !index.isValid() || !isTyped(index.row(), index.column())) {
+    if (role != Qt::EditRole || !index.isValid() || index.column() < typed_) {
         return false;
+    }
+    // What was rejected beside it may stand with what is typed now, as one step.
+    QStringList whole;
+    for (int column = typed_; column < columnCount(); ++column) {
+        whole << (column == index.column() ? value
+                                           : index.siblingAtColumn(column).data(Qt::EditRole))
+                     .toString();
+    }
+    if (write(index.row(), typed_, {whole}).isEmpty()) {
+        setTaken(index.row(), typed_, {whole});
+        return true;
     }
     const QString why = write(index.row(), index.column(), {{value.toString()}});
     setRejected(index.row(), index.column(), value.toString(), why);
@@ -56,6 +76,8 @@ bool StudyTable::setData(const QModelIndex& index, const QVariant& value, int ro
 }
 
 QString StudyTable::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    // A narrow block is of the last columns, which are typed.
+    column = std::max(column, std::min(typed_, columnCount() - widthOf(cells)));
     QString why = noRoomText(cells, rowCount() - row, columnCount() - column);
     if (why.isEmpty()) {
         why = write(row, column, cells);
@@ -67,29 +89,43 @@ QString StudyTable::pasteBlock(int row, int column, const std::vector<QStringLis
     return why;
 }
 
-QStringList StudyTable::rejectedNames() const {
-    QStringList names;
-    for (int row = 0; row < rowCount(); ++row) {
-        for (const Cell& cell : rejectedCells()) {
-            if (cell.first == rowName(row)) {
-                names << text(row, Name, false);
+QString StudyTable::write(int row, int column, const std::vector<QStringList>& cells) {
+    studies::Study next = model_->study();
+    QStringList troubles;
+    for (const QStringList& line : cells) {
+        const int end = std::min(static_cast<int>(line.size()), columnCount() - column);
+        for (int i = std::max(typed_ - column, 0); i < end; ++i) {
+            const QString why = read(next, row, column + i, line[i]);
+            if (!why.isEmpty()) {
+                troubles << (cells.size() > 1 ? text(row, Name, false) + QStringLiteral(": ") + why
+                                              : why);
             }
         }
+        ++row;
+    }
+    return troubles.isEmpty() ? model_->change(step_, next) : saidTroubles(troubles);
+}
+
+QStringList StudyTable::rejectedNames() const {
+    QStringList names;
+    for (const auto& [cell, rejected] : rejected()) {
+        names << model_->inputName(cell.first);
     }
     return names;
 }
 
 QString StudyTable::rejectedText(const Cell& cell, const Rejected& rejected) const {
-    for (int row = 0; row < rowCount(); ++row) {
-        if (rowName(row) == cell.first) {
-            return text(row, Name, false) + QStringLiteral(": ") + rejected.why;
-        }
-    }
-    return rejected.why;
+    return model_->inputName(cell.first) + QStringLiteral(": ") + rejected.why;
 }
 
 ScatterTable::ScatterTable(StudyModel* model, QObject* parent)
-    : StudyTable(model, {tr("Input"), tr("Value"), QStringLiteral("±")}, parent) {
+    : StudyTable(model,
+                 {{tr("Input")},
+                  {tr("Value")},
+                  {QStringLiteral("±"),
+                   tr("0.02: uniform within ± 0.02. 1 %: uniform within ± 1 % of the value. σ "
+                      "0.01: normal with this standard deviation.")}},
+                 Scatter, StudyModel::tr("Tolerance"), parent) {
     follow();
 }
 
@@ -97,29 +133,8 @@ const StudyModel::Input& ScatterTable::input(int row) const {
     return model_->inputs()[static_cast<std::size_t>(row)];
 }
 
-std::string ScatterTable::rowName(int row) const {
-    return input(row).pointer;
-}
-
-QString ScatterTable::held(int row, int /*column*/) const {
-    return StudyModel::scatterText(input(row));
-}
-
 int ScatterTable::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(model_->inputs().size());
-}
-
-bool ScatterTable::isTyped(int row, int column) const {
-    return column == Scatter && !input(row).isMissing;
-}
-
-QVariant ScatterTable::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (section == Scatter && orientation == Qt::Horizontal && role == Qt::ToolTipRole) {
-        return tr(
-            "0.02: uniform within ± 0.02. 1 %: uniform within ± 1 % of the value. σ 0.01: "
-            "normal with this standard deviation.");
-    }
-    return StudyTable::headerData(section, orientation, role);
 }
 
 QString ScatterTable::text(int row, int column, bool isEdited) const {
@@ -140,20 +155,9 @@ QString ScatterTable::text(int row, int column, bool isEdited) const {
     return isPlain ? scatter : withUnit(scatter, shown.shown.name);
 }
 
-QString ScatterTable::write(int row, int /*column*/, const std::vector<QStringList>& cells) {
-    std::vector<std::pair<std::string, QString>> texts;
-    for (const QStringList& line : cells) {
-        texts.emplace_back(rowName(row++), line.back());
-    }
-    return model_->setScatter(texts);
-}
-
-QString ScatterTable::pasteBlock(int row, int /*column*/, const std::vector<QStringList>& cells) {
-    std::vector<QStringList> tolerances;
-    for (const QStringList& line : cells) {
-        tolerances.push_back({line.back()});
-    }
-    return StudyTable::pasteBlock(row, Scatter, tolerances);
+QString ScatterTable::read(studies::Study& next, int row, int /*column*/,
+                           const QString& typed) const {
+    return model_->readScatter(next, rowName(row), typed);
 }
 
 void ScatterTable::removeRowRange(int first, int count) {
@@ -163,7 +167,8 @@ void ScatterTable::removeRowRange(int first, int count) {
 }
 
 WatchTable::WatchTable(StudyModel* model, QObject* parent)
-    : StudyTable(model, {tr("Result"), tr("Minimum"), tr("Maximum")}, parent) {
+    : StudyTable(model, {{tr("Result")}, {tr("Minimum")}, {tr("Maximum")}}, Minimum,
+                 StudyModel::tr("Limits"), parent) {
     follow();
 }
 
@@ -171,16 +176,8 @@ const studies::Watched& WatchTable::watched(int row) const {
     return model_->study().watch[static_cast<std::size_t>(row)];
 }
 
-std::string WatchTable::rowName(int row) const {
-    return watched(row).pointer;
-}
-
 int WatchTable::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(model_->study().watch.size());
-}
-
-bool WatchTable::isTyped(int /*row*/, int column) const {
-    return column != Name;
 }
 
 QString WatchTable::text(int row, int column, bool /*isEdited*/) const {
@@ -190,50 +187,16 @@ QString WatchTable::text(int row, int column, bool /*isEdited*/) const {
                : model_->limitText(shown.pointer, column == Minimum ? shown.min : shown.max);
 }
 
-bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const int other = index.column() == Minimum ? Maximum : Minimum;
-    if (index.isValid() && rejected().contains({rowName(index.row()), other})) {
-        // It may be beside what is typed now, as one step.
-        QStringList both{text(index.row(), Minimum, true), text(index.row(), Maximum, true)};
-        both[other - 1] = this->index(index.row(), other).data(Qt::EditRole).toString();
-        both[index.column() - 1] = value.toString();
-        if (write(index.row(), Minimum, {both}).isEmpty()) {
-            setTaken(index.row(), Minimum, {both});
-            return true;
-        }
-    }
-    return StudyTable::setData(index, value, role);
+QString WatchTable::read(studies::Study& next, int row, int column, const QString& typed) const {
+    studies::Watched& limits = next.watch[static_cast<std::size_t>(row)];
+    return model_->readLimit(limits.pointer, typed, column == Minimum ? limits.min : limits.max);
 }
 
 void WatchTable::removeRowRange(int first, int count) {
-    std::vector<std::string> gone;
-    for (int row = first; row < std::min(first + count, rowCount()); ++row) {
-        gone.push_back(rowName(row));
-    }
-    model_->unwatch(gone);
-}
-
-QString WatchTable::write(int row, int column, const std::vector<QStringList>& cells) {
-    std::vector<studies::Watched> limits;
-    QStringList troubles;
-    for (const QStringList& line : cells) {
-        studies::Watched limit = watched(row);
-        for (int i = 0; i < line.size(); ++i) {
-            if (column + i == Name) {
-                continue;
-            }
-            const QString why = model_->readLimit(limit.pointer, line[i],
-                                                  column + i == Minimum ? limit.min : limit.max);
-            if (!why.isEmpty()) {
-                troubles << (cells.size() > 1 ? text(row, Name, false) + QStringLiteral(": ") + why
-                                              : why);
-            }
-        }
-        limits.push_back(limit);
-        ++row;
-    }
-    QString all = saidTroubles(troubles);
-    return all.isEmpty() ? model_->setLimits(limits) : all;
+    studies::Study next = model_->study();
+    const auto begin = next.watch.begin() + first;
+    next.watch.erase(begin, begin + std::min(count, rowCount() - first));
+    model_->change(StudyModel::tr("Watch a result"), next);
 }
 
 }  // namespace ravnoves

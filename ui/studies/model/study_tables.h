@@ -2,6 +2,7 @@
 
 #include "model/editable_table.h"
 #include "studies/model/study_model.h"
+#include "text/result_row.h"
 
 namespace ravnoves {
 
@@ -14,31 +15,37 @@ class StudyTable : public EditableTable {
     static constexpr int Name = 0;
 
     SceneModel* scene() const final { return model_->scene(); }
-    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
+    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) final;
     /// What rows with a text that is rejected are called.
     QStringList rejectedNames() const;
 
     int columnCount(const QModelIndex& parent = {}) const final;
     QVariant data(const QModelIndex& index, int role) const final;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) final;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const final;
+    Qt::ItemFlags flags(const QModelIndex& index) const final;
 
   protected:
-    StudyTable(StudyModel* model, QStringList headings, QObject* parent);
+    /// @param typed  the first column that is typed; those behind it are, too
+    /// @param step   name of a change in the history
+    StudyTable(StudyModel* model, ResultColumns columns, int typed, QString step, QObject* parent);
 
-    virtual bool isTyped(int row, int column) const = 0;
     /// @param isEdited  for typing, not for display
     virtual QString text(int row, int column, bool isEdited) const = 0;
+    /// Takes the typed text of a cell into a study.
     /// @return an empty string, or why it cannot be
-    virtual QString write(int row, int column, const std::vector<QStringList>& cells) = 0;
+    virtual QString read(studies::Study& next, int row, int column, const QString& typed) const = 0;
 
     StudyModel* model_;
 
   private:
-    QString rejectedText(const Cell& cell, const Rejected& rejected) const override;
+    QString held(int row, int column) const final { return text(row, column, true); }
+    QString rejectedText(const Cell& cell, const Rejected& rejected) const final;
+    QString write(int row, int column, const std::vector<QStringList>& cells);
 
-    QStringList headings_;
+    ResultColumns columns_;
+    int typed_;
+    QString step_;
 };
 
 /// The inputs of a case with their scatter.
@@ -52,18 +59,13 @@ class ScatterTable final : public StudyTable {
 
     /// These inputs do not scatter any more.
     void removeRowRange(int first, int count) override;
-    /// The last column of the block has the tolerances.
-    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
     int rowCount(const QModelIndex& parent = {}) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
     const StudyModel::Input& input(int row) const;
-    std::string rowName(int row) const override;
-    QString held(int row, int column) const override;
-    bool isTyped(int row, int column) const override;
+    std::string rowName(int row) const override { return input(row).pointer; }
     QString text(int row, int column, bool isEdited) const override;
-    QString write(int row, int column, const std::vector<QStringList>& cells) override;
+    QString read(studies::Study& next, int row, int column, const QString& typed) const override;
 };
 
 /// The results that are watched, with their limits.
@@ -78,14 +80,12 @@ class WatchTable final : public StudyTable {
     /// These results are watched no more.
     void removeRowRange(int first, int count) override;
     int rowCount(const QModelIndex& parent = {}) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
   private:
     const studies::Watched& watched(int row) const;
-    std::string rowName(int row) const override;
-    bool isTyped(int row, int column) const override;
+    std::string rowName(int row) const override { return watched(row).pointer; }
     QString text(int row, int column, bool isEdited) const override;
-    QString write(int row, int column, const std::vector<QStringList>& cells) override;
+    QString read(studies::Study& next, int row, int column, const QString& typed) const override;
 };
 
 }  // namespace ravnoves
