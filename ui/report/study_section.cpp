@@ -108,7 +108,7 @@ void addSweep(Paper& report, StudyModel& study, const Patience& patience) {
     }
     const auto sheet = std::make_shared<QWidget>();
     QList<PlotView*> plots;
-    for (const Figure& figure : sweepFigures(study, *model.sweep())) {
+    for (const Figure& figure : sweepFigures(study, model)) {
         auto* plot = new PlotView(sheet.get());
         plot->showFigure(figure);
         plot->resize(660, plots.empty() ? 300 : 180);

@@ -164,18 +164,18 @@ void SweepView::showSweep() {
     plot_->setFaded(isFaded, !isFaded ? QString() : trouble.isEmpty() ? tr("Computing…") : trouble);
     share_->setFaded(isFaded);
     words_->setText(sweepWords(*study_, *model_));
-    const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
-                         !study_->inputTitle(sweep->input).text.isEmpty();
+    const ShownTitle input = study_->inputTitle(model_->input());
+    const bool isTaken =
+        sweep != nullptr && sweep->best && !model_->isStale() && !input.text.isEmpty();
     take_->setVisible(isTaken);
-    if (sweep == nullptr || isOld) {
-        return;
-    }
     if (isTaken) {
-        const ShownTitle input = study_->inputTitle(sweep->input);
         take_->setText(
             tr("Set t&o %1").arg(shownFormNumber(input.factor * sweep->best->x, QLocale(), 5)));
     }
-    const std::vector<Figure> figures = sweepFigures(*study_, *sweep);
+    if (sweep == nullptr || isOld) {
+        return;
+    }
+    const std::vector<Figure> figures = sweepFigures(*study_, *model_);
     plot_->showFigure(figures.front());
     share_->setVisible(figures.size() > 1);
     if (figures.size() > 1) {

@@ -41,13 +41,14 @@ void addLimits(Figure& figure, const StudyModel& study, const std::string& resul
     }
 }
 
-QString bestText(const StudyModel& study, const Sweep& sweep) {
+QString bestText(const StudyModel& study, const SweepModel& model) {
+    const Sweep& sweep = *model.sweep();
     const QString few = SweepWords::tr("No value makes 95 % of the samples feasible.");
     if (!sweep.best) {
         return few;
     }
-    const ShownTitle input = study.inputTitle(sweep.input);
-    const ShownUnit unit = study.resultName(sweep.result).shown();
+    const ShownTitle input = study.inputTitle(model.input());
+    const ShownUnit unit = study.resultName(model.result()).shown();
     QString best =
         SweepWords::tr(
             "Minimum 95th percentile of the absolute value: %1 at %2; %3 of the samples are "
@@ -70,13 +71,14 @@ QString bestText(const StudyModel& study, const Sweep& sweep) {
 QString sweepWords(const StudyModel& study, const SweepModel& model) {
     return !model.trouble().isEmpty() ? model.trouble()
            : model.result().empty()   ? SweepWords::tr("Choose a result to watch.")
-           : model.sweep() == nullptr || model.isPartial() ? SweepWords::tr("Computing…")
-                                                           : bestText(study, *model.sweep());
+           : model.sweep() == nullptr || model.isStale() ? SweepWords::tr("Computing…")
+                                                         : bestText(study, model);
 }
 
-std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
-    const ResultName name = study.resultName(sweep.result);
-    const ShownTitle input = study.inputTitle(sweep.input);
+std::vector<Figure> sweepFigures(const StudyModel& study, const SweepModel& model) {
+    const Sweep& sweep = *model.sweep();
+    const ResultName name = study.resultName(model.result());
+    const ShownTitle input = study.inputTitle(model.input());
     Figure result{.title = name.text, .left = {name.unit}};
     Figure::Curve& mean = result.add(
         "mean", {.name = SweepWords::tr("mean"), .role = Role::Value, .width = 2.0}, {}, {});
@@ -109,9 +111,10 @@ std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
     }
     share.x = {input.text, built.x.front(), built.x.back()};
     result.x = share.x;
-    const double nominal = input.factor * sweep.nominal;
-    if (sweep.half > 0.0) {
-        const double half = input.factor * sweep.half;
+    const StudyModel::Input* swept = study.input(model.input());
+    const double nominal = input.factor * (swept != nullptr ? swept->value : 0.0);
+    const double half = input.factor * (swept != nullptr ? swept->half() : 0.0);
+    if (half > 0.0) {
         result.bands = {{nominal - half, nominal + half, Role::Present, 0.12, QStringLiteral("±")}};
     }
     const auto shown = [&](double value) {
@@ -126,7 +129,7 @@ std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
         result.marks->push_back({input.factor * sweep.best->x, worst,
                                  QStringLiteral("95 %: ") + shown(worst), Role::Best, true});
     }
-    addLimits(result, study, sweep.result, Qt::Horizontal);
+    addLimits(result, study, model.result(), Qt::Horizontal);
     if (std::ranges::all_of(built.y, [](double percent) { return percent > 99.9; })) {
         return {result};
     }

@@ -12,11 +12,10 @@ namespace ravnoves {
 class StudyModel;
 class SweepModel;
 struct StudyAnswer;
-struct Sweep;
 
-/// A result over the input that is swept; below it, where those are not all, the share of feasible
-/// samples.
-std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep);
+/// A result over the input that is swept, of a model that has a sweep; below it, where those are
+/// not all, the share of feasible samples.
+std::vector<Figure> sweepFigures(const StudyModel& study, const SweepModel& model);
 /// The finding of a sweep, or the reason for a missing one, in a sentence.
 QString sweepWords(const StudyModel& study, const SweepModel& model);
 /// How the samples of a result are distributed about its limits. Null: an empty chart.

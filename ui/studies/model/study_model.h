@@ -43,6 +43,8 @@ class StudyModel : public QObject {
     struct Input : InputNumber {
         std::optional<studies::Varied> varied = {};
         bool isMissing = false;  ///< the case has it no more: the study runs without it
+        /// Half of what its tolerance allows; 0 without one.
+        double half() const;
     };
     enum class Preset { Typical, OnePercent };
 

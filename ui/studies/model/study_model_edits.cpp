@@ -38,6 +38,11 @@ std::pair<std::optional<double>, QString> readShown(const QString& text, const S
 
 }  // namespace
 
+double StudyModel::Input::half() const {
+    const studies::Law law = varied ? studies::law_of(*varied, value) : studies::Law();
+    return 0.5 * (law.high - law.low);
+}
+
 QString StudyModel::scatterText(const Input& input) {
     const std::optional<Varied>& varied = input.varied;
     if (!varied) {

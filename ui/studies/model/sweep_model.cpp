@@ -63,46 +63,56 @@ Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built)
             1.0 - static_cast<double>(values.size()) / samples};
 }
 
-/// One for each worker.
-using Responses = std::vector<std::unique_ptr<Response>>;
+/// Solves the samples at values of the first input; a second watched value says whether one can be
+/// built.
+class Sweeper {
+  public:
+    Sweeper(const studies::Problem& problem, const BackgroundJob::Progress& keepGoing, int values)
+        : problem_(problem),
+          samples_(othersOf(problem)),
+          progress_(keepGoing, samples_.size() * static_cast<std::size_t>(values)),
+          // One core stays free for the window.
+          responses_(std::max(2U, std::thread::hardware_concurrency()) - 1) {}
 
-/// Solves the samples at each value of the input that is swept; a second watched value says whether
-/// one can be built.
-/// @return none where it was stopped
-std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
-                                   const studies::Problem& problem,
-                                   const std::vector<std::vector<double>>& samples,
-                                   Responses& responses, studies::Progress& progress) {
-    const std::size_t watched = problem.study.watch.size();
-    std::vector<std::vector<double>> found(values.size(),
-                                           std::vector<double>(samples.size(), unsolved));
-    std::vector<std::vector<char>> built(values.size(), std::vector<char>(samples.size()));
-    studies::share_out(responses.size(), samples.size(), [&](std::size_t worker, std::uint64_t i) {
-        if (!responses[worker]) {
-            responses[worker] = problem.make();
-        }
-        std::vector<double> x = samples[i];
-        x.insert(x.begin(), 0.0);
-        std::vector<double> y(watched);
-        for (std::size_t k = 0; k < values.size(); ++k) {
-            x[0] = values[k];
-            if (responses[worker]->evaluate(x, y)) {
-                found[k][i] = y[0];
-                built[k][i] = watched == 1 || y[1] > 0.5;
-            }  // else it is rejected, as in a study
-            if (!progress.step(worker)) {
-                return false;
+    bool isStopped() const { return progress_.is_stopped(); }
+    /// Nothing once it is stopped.
+    std::vector<Sweep::Place> at(const std::vector<double>& values) {
+        const std::size_t watched = problem_.study.watch.size();
+        std::vector<std::vector<double>> found(values.size(),
+                                               std::vector<double>(samples_.size(), unsolved));
+        std::vector<std::vector<char>> built(values.size(), std::vector<char>(samples_.size()));
+        const auto solve = [&](std::size_t worker, std::uint64_t i) {
+            auto& response = responses_[worker];
+            if (!response) {
+                response = problem_.make();
             }
+            std::vector<double> x = samples_[i];
+            x.insert(x.begin(), 0.0);
+            std::vector<double> y(watched);
+            for (std::size_t k = 0; k < values.size() && progress_.step(worker); ++k) {
+                x[0] = values[k];
+                if (response->evaluate(x, y)) {
+                    found[k][i] = y[0];
+                    built[k][i] = watched == 1 || y[1] > 0.5;
+                }  // else it is rejected, as in a study
+            }
+            return !isStopped();
+        };
+        studies::share_out(responses_.size(), samples_.size(), solve);
+        std::vector<Sweep::Place> all;
+        for (std::size_t k = 0; k < values.size() && !isStopped(); ++k) {
+            all.push_back(placeOf(values[k], found[k],
+                                  std::count(built[k].begin(), built[k].end(), char{1})));
         }
-        return true;
-    });
-    std::vector<Sweep::Place> all;
-    for (std::size_t k = 0; k < values.size() && !progress.is_stopped(); ++k) {
-        all.push_back(
-            placeOf(values[k], found[k], std::count(built[k].begin(), built[k].end(), char{1})));
+        return all;
     }
-    return all;
-}
+
+  private:
+    const studies::Problem& problem_;
+    std::vector<std::vector<double>> samples_;
+    studies::Progress progress_;
+    std::vector<std::unique_ptr<Response>> responses_;  ///< by worker
+};
 
 /// Where the 95 % amount is smallest, of the places at which so many of the samples can be built.
 std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, double built) {
@@ -118,29 +128,25 @@ std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, doub
 
 /// @param show  is given the results so far, from coarse to fine
 /// @return nothing where it was stopped
-std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
+std::optional<Sweep> computed(const studies::Problem& problem,
                               const BackgroundJob::Progress& keepGoing,
                               const std::function<void(const Sweep&)>& show) {
     constexpr int rounds = 3;  // each a tenth as wide
     constexpr int finer = 21;
     const double from = problem.study.vary[0].from;
     const double to = problem.study.vary[0].to;
-    const auto samples = othersOf(problem);
-    studies::Progress progress(keepGoing, samples.size() * (places + rounds * finer));
-    // One core stays free for the window.
-    Responses responses(std::max(2U, std::thread::hardware_concurrency()) - 1);
-    sweep.nominalResult = problem.nominal_result.front();
+    Sweeper sweeper(problem, keepGoing, places + rounds * finer);
+    Sweep sweep{.nominalResult = problem.nominal_result.front()};
     const std::vector<double> all = studies::spaced(from, to, places);
-    for (int step = coarsest; step > 0 && !progress.is_stopped(); step /= 2) {
+    for (int step = coarsest; step > 0 && !sweeper.isStopped(); step /= 2) {
         std::vector<double> values;
         const bool isFirst = step == coarsest;
         for (int i = isFirst ? 0 : step; i < places; i += isFirst ? step : 2 * step) {
             values.push_back(all[static_cast<std::size_t>(i)]);
         }
-        std::ranges::move(placesAt(values, problem, samples, responses, progress),
-                          std::back_inserter(sweep.places));
+        std::ranges::move(sweeper.at(values), std::back_inserter(sweep.places));
         std::ranges::sort(sweep.places, {}, &Sweep::Place::x);
-        if (!progress.is_stopped()) {
+        if (!sweeper.isStopped()) {
             show(sweep);
         }
     }
@@ -152,15 +158,14 @@ std::optional<Sweep> computed(Sweep sweep, const studies::Problem& problem,
     sweep.best = bestOf(sweep.places, built);
     double step = (to - from) / (places - 1);
     for (int round = 0; round < rounds && sweep.best; ++round) {
-        const auto near = placesAt(studies::spaced(std::max(from, sweep.best->x - step),
-                                                   std::min(to, sweep.best->x + step), finer),
-                                   problem, samples, responses, progress);
+        const auto near = sweeper.at(studies::spaced(std::max(from, sweep.best->x - step),
+                                                     std::min(to, sweep.best->x + step), finer));
         step *= 2.0 / (finer - 1);
         if (const auto best = bestOf(near, built); best && best->size < sweep.best->size) {
             sweep.best = best;
         }
     }
-    return progress.is_stopped() ? std::nullopt : std::optional(sweep);
+    return sweeper.isStopped() ? std::nullopt : std::optional(sweep);
 }
 
 }  // namespace
@@ -188,19 +193,6 @@ std::vector<const StudyModel::Input*> SweepModel::inputs() const {
     return inputs;
 }
 
-namespace {
-
-/// Half of what the input's tolerance allows, 0 without one.
-double halfOf(const StudyModel::Input& input) {
-    if (!input.varied || input.varied->spread == studies::Varied::Spread::grid) {
-        return 0.0;
-    }
-    const studies::Law law = studies::law_of(*input.varied, input.value);
-    return 0.5 * (law.high - law.low);
-}
-
-}  // namespace
-
 std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
     const StudyModel::Input* input = study_->input(choice_.input);
     if (input == nullptr) {
@@ -208,7 +200,7 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
     }
     constexpr double part = 0.1;
     const double nominal = input->value;
-    const double half = halfOf(*input);
+    const double half = input->half();
     const double reach = half > 0.0 ? half : nominal != 0.0 ? part * std::abs(nominal) : 1.0;
     const bool turns = half == 0.0 && unit_at(choice_.input) == units::degree;
     const Range range = study_->rangeOf(choice_.input);
@@ -221,33 +213,6 @@ void SweepModel::setWatched(bool watched) {
     if (watched && (stale_ || !sweep_) && !isBusy()) {
         start();
     }
-}
-
-SweepModel::Wanted SweepModel::wantedNow() const {
-    const StudyModel::Input* swept = study_->input(choice_.input);
-    if (swept == nullptr || choice_.result.empty()) {
-        return {};
-    }
-    const Ends usual = *usualEnds();
-    SceneModel& scene = *study_->scene();
-    Wanted wanted{.sweep = {.input = choice_.input,
-                            .result = choice_.result,
-                            .nominal = swept->value,
-                            .half = halfOf(*swept)},
-                  .study = {.vary = {{.pointer = choice_.input,
-                                      .spread = studies::Varied::Spread::uniform,
-                                      .from = choice_.from.value_or(usual.first),
-                                      .to = choice_.to.value_or(usual.second)}},
-                            .watch = {{.pointer = choice_.result}},
-                            .seed = study_->study().seed},
-                  .solution = scene.solutions()};
-    for (const StudyModel::Input& input : study_->inputs()) {
-        if (&input != swept && !input.isMissing && halfOf(input) > 0.0) {
-            wanted.study.vary.push_back(*input.varied);
-        }
-    }
-    watchFeasible(wanted.study, scene);
-    return wanted;
 }
 
 void SweepModel::follow() {
@@ -276,28 +241,49 @@ void SweepModel::follow() {
     Q_EMIT changed();
 }
 
+SweepModel::Wanted SweepModel::wantedNow() const {
+    const StudyModel::Input* swept = study_->input(choice_.input);
+    if (swept == nullptr || choice_.result.empty()) {
+        return {};
+    }
+    const Ends usual = *usualEnds();
+    const SceneModel& scene = *study_->scene();
+    Wanted wanted{.study = {.vary = {{.pointer = choice_.input,
+                                      .spread = studies::Varied::Spread::uniform,
+                                      .from = choice_.from.value_or(usual.first),
+                                      .to = choice_.to.value_or(usual.second)}},
+                            .watch = {{.pointer = choice_.result}},
+                            .seed = study_->study().seed},
+                  .solution = scene.solutions()};
+    for (const StudyModel::Input& input : study_->inputs()) {
+        if (&input != swept && !input.isMissing && input.half() > 0.0) {
+            wanted.study.vary.push_back(*input.varied);
+        }
+    }
+    watchFeasible(wanted.study, scene);
+    return wanted;
+}
+
 void SweepModel::start() {
     if (!watched_ || wanted_.study.vary.empty() || !trouble_.isEmpty()) {
         return;
     }
-    SceneModel& scene = *study_->scene();
+    const SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    scene.giveDefaults(file.input, {wanted_.sweep.input});
+    scene.giveDefaults(file.input, {choice_.input});
     file.study = studies::write_study(wanted_.study);
-    job_->start([this, job = job_, sweep = wanted_.sweep, file = std::move(file),
-                 context = scene.context()](
+    job_->start([this, job = job_, file = std::move(file), context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
-        auto found = solvedOnce<Sweep>(problem, 1, [&] {
-            return computed(sweep, problem, progress, [this, job](const Sweep& soFar) {
+        const auto found = solvedOnce<Sweep>(problem, 1, [&] {
+            return computed(problem, progress, [this, job](const Sweep& soFar) {
                 job->tellSoFar([this, soFar] { show(soFar, true); });
             });
         });
         if (!found) {
             return {};
         }
-        found->half = sweep.half;  // which the problem does not have
-        return [this, found = std::move(*found)] { show(found, false); };
+        return [this, found] { show(*found, false); };
     });
 }
 
@@ -311,7 +297,7 @@ void SweepModel::show(const Sweep& sweep, bool isPartial) {
 
 void SweepModel::takeBest() {
     if (sweep_ && sweep_->best) {
-        study_->scene()->editField(sweep_->input, sweep_->best->x, tr("Minimum 95th percentile"));
+        study_->scene()->editField(choice_.input, sweep_->best->x, tr("Minimum 95th percentile"));
     }
 }
 

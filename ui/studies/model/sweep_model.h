@@ -30,10 +30,6 @@ struct Sweep {
     /// The minimum share of feasible samples at the best place.
     static constexpr double minBuilt = 0.95;
 
-    std::string input;  ///< pointers
-    std::string result;
-    double nominal = 0.0;
-    double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
     std::vector<Place> places = {};
     /// Where the 95 % amount is smallest, with `minBuilt` of the samples feasible, or the largest
@@ -83,7 +79,6 @@ class SweepModel : public QObject {
   private:
     /// What a sweep is made of.
     struct Wanted {
-        Sweep sweep = {};
         studies::Study study = {};  ///< varies nothing where no sweep can be made
         int solution = -1;          ///< of the scene
         bool operator==(const Wanted&) const = default;
