@@ -13,7 +13,6 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QToolButton>
@@ -46,16 +45,6 @@
 namespace ravnoves {
 
 namespace {
-
-/// Room to type in, and for what is there.
-void fitTyped(QTableView* view, const std::vector<int>& columns) {
-    constexpr int minimum = 72;
-    const QAbstractItemView* cells = view;
-    for (const int column : columns) {
-        view->horizontalHeader()->resizeSection(
-            column, std::max(Theme::withText(minimum), cells->sizeHintForColumn(column) + 1));
-    }
-}
 
 /// Rows are as high as their wrapped names take, also after the column has another width.
 void growRowsWithWords(QTableView& view) {
@@ -127,21 +116,16 @@ bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
         }
         return true;
     }
-    if (key == Qt::Key_Delete && object == watched_->view()) {
-        const QItemSelection cells = watched_->view()->selectionModel()->selection();
-        const bool isLimits =
-            !cells.isEmpty() && std::all_of(cells.begin(), cells.end(), [](const auto& range) {
-                return range.left() > StudyTable::Name;
-            });
-        for (const QItemSelectionRange& range : isLimits ? cells : QItemSelection()) {
-            watched_->table()->pasteBlock(
-                range.top(), range.left(),
-                std::vector<QStringList>(static_cast<std::size_t>(range.height()),
-                                         QStringList(range.width())));
-        }
-        if (isLimits) {
-            return true;
-        }
+    const QItemSelection cells = key == Qt::Key_Delete && object == watched_->view()
+                                     ? watched_->view()->selectionModel()->selection()
+                                     : QItemSelection();
+    if (!cells.isEmpty() && cells.first().left() > StudyTable::Name) {  // limits alone
+        const QItemSelectionRange& range = cells.first();
+        watched_->table()->pasteBlock(
+            range.top(), range.left(),
+            std::vector<QStringList>(static_cast<std::size_t>(range.height()),
+                                     QStringList(range.width())));
+        return true;
     }
     return QDialog::eventFilter(object, event);
 }
@@ -150,29 +134,27 @@ QWidget* ToleranceWindow::makeInputs() {
     auto* holder = new QWidget(this);
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
-    const auto edit = [&](EditableTable* table, const QString& name, const QString& remove,
-                          std::initializer_list<int> numbers) {
+    const auto edit = [&](EditableTable* table, const QString& name, const QString& remove) {
         auto* editor = new TableEditor(table, name, {}, remove, holder);
         table->setParent(editor);
         editor->findChild<QToolButton*>(QStringLiteral("add_row"))->hide();
         editor->view()->verticalHeader()->hide();
-        editor->view()->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-        editor->view()->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-        for (const int typed : numbers) {
-            editor->view()->horizontalHeader()->setSectionResizeMode(typed, QHeaderView::Fixed);
-        }
-        const auto fit = [view = editor->view(), columns = std::vector<int>(numbers)] {
-            fitTyped(view, columns);
-        };
-        fit();
-        connect(table, &QAbstractItemModel::dataChanged, this, fit);
-        connect(table, &QAbstractItemModel::modelReset, this, fit);
-        // What was said of a block that was not pasted.
-        connect(table, &QAbstractItemModel::dataChanged, editor,
-                [editor] { editor->say({}, false); });
+        QHeaderView* header = editor->view()->horizontalHeader();
+        constexpr int minimum = 72;  // room to type in
+        header->setMinimumSectionSize(Theme::withText(minimum));
+        header->setSectionResizeMode(QHeaderView::ResizeToContents);
+        header->setSectionResizeMode(StudyTable::Name, QHeaderView::Stretch);
         growRowsWithWords(*editor->view());
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading is above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
+        // Before and after what was said of a block that was not pasted.
+        const auto say = [editor] { editor->say(editor->trouble(), true); };
+        connect(table, &QAbstractItemModel::dataChanged, editor, say);
+        connect(table, &QAbstractItemModel::modelReset, editor, say);
+        connect(table, &EditableTable::troubleChanged, this, [this, say] {
+            say();
+            showAnswers();  // they are without what is rejected
+        });
         return editor;
     };
     auto* top = new QHBoxLayout;
@@ -197,7 +179,7 @@ QWidget* ToleranceWindow::makeInputs() {
     top->addWidget(presets);
     column->addLayout(top);
     inputs_ = edit(new ScatterTable(model_), tr("Inputs and their tolerances"),
-                   tr("Remove the tolerances of the selected inputs"), {ScatterTable::Scatter});
+                   tr("Remove the tolerances of the selected inputs"));
     column->addWidget(inputs_, 3);
     column->addWidget(headingLabel(tr("Results to watch"), holder));
     auto* watchable = new QPushButton(tr("Watch a result…"), holder);
@@ -213,26 +195,9 @@ QWidget* ToleranceWindow::makeInputs() {
     });
     watchable->setMenu(results);
     column->addWidget(watchable);
-    watched_ = edit(new WatchTable(model_), tr("Results to watch"),
-                    tr("Remove the selected results"), {WatchTable::Minimum, WatchTable::Maximum});
+    watched_ =
+        edit(new WatchTable(model_), tr("Results to watch"), tr("Remove the selected results"));
     column->addWidget(watched_, 2);
-    // Where it comes and goes nothing moves: a click goes where it was meant to. What is more than
-    // its lines scrolls.
-    rejected_ = new TroubleLine(holder);
-    rejected_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    QScrollArea* lines = scrolled(rejected_, holder);
-    constexpr int shownLines = 4;
-    lines->setFixedHeight(shownLines * QFontMetrics(rejected_->font()).lineSpacing() + 2);
-    column->addWidget(lines);
-    for (TableEditor* editor : {inputs_, watched_}) {
-        connect(editor->table(), &EditableTable::troubleChanged, this, [this] {
-            QStringList all{inputs_->trouble(), watched_->trouble()};
-            all.removeAll(QString());
-            rejected_->say(all.join(QLatin1Char('\n')));
-            rejected_->setToolTip(rejected_->text());
-            showAnswers();  // they are without what is rejected
-        });
-    }
     return holder;
 }
 
@@ -317,19 +282,20 @@ QWidget* ToleranceWindow::makeFound() {
     notes->setFixedHeight(Theme::withText(notesHeight));
     column->addWidget(notes);
 
-    tabs_ = new QTabWidget(holder);
-    tabs_->setUsesScrollButtons(true);
-    tornado_ = new TornadoView(tabs_);
-    addScrolledTab(tabs_, tornado_, QStringLiteral("contributors"), tr("Main contributors"));
-    histogram_ = new PlotView(tabs_);
-    tabs_->addTab(histogram_, tr("Histogram"));
-    sweep_ = new SweepView(model_, tabs_);
-    addScrolledTab(tabs_, sweep_, QStringLiteral("sweep"), tr("Sweep"));
+    auto* tabs = new QTabWidget(holder);
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(true);
+    tornado_ = new TornadoView(tabs);
+    addScrolledTab(tabs, tornado_, QStringLiteral("contributors"), tr("Main contributors"));
+    histogram_ = new PlotView(tabs);
+    tabs->addTab(histogram_, tr("Histogram"));
+    sweep_ = new SweepView(model_, tabs);
+    addScrolledTab(tabs, sweep_, QStringLiteral("sweep"), tr("Sweep"));
     constexpr int minTab = 220;  // narrower than what is in it, it scrolls sideways
-    for (QScrollArea* tab : tabs_->findChildren<QScrollArea*>()) {
+    for (QScrollArea* tab : tabs->findChildren<QScrollArea*>()) {
         tab->setMinimumWidth(Theme::withText(minTab));
     }
-    column->addWidget(tabs_, 5);
+    column->addWidget(tabs, 5);
     return holder;
 }
 
@@ -367,22 +333,12 @@ void ToleranceWindow::showStudy() {
     samples_->setEnabled(studies::is_sampled(study.method));
 }
 
-namespace {
-
-/// Qt fits the titles of tabs to the room that there was before the window had its own.
-void fitTitles(const QTabWidget* tabs) {
-    tabs->tabBar()->setElideMode(tabs->tabBar()->elideMode());
-}
-
-}  // namespace
-
 void ToleranceWindow::showAnswers() {
     showFound();
     showChosen();
 }
 
 void ToleranceWindow::showFound() {
-    fitTitles(tabs_);
     QStringList lines;
     const QStringList rejected =
         static_cast<const ScatterTable*>(inputs_->view()->model())->rejectedNames();
@@ -450,8 +406,6 @@ void ToleranceWindow::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
     model_->setWatched(true);
     bands_->setChecked(ToleranceBands::areShown());
-    QMetaObject::invokeMethod(
-        tabs_, [this] { fitTitles(tabs_); }, Qt::QueuedConnection);
 }
 
 void ToleranceWindow::hideEvent(QHideEvent* event) {

@@ -6,7 +6,6 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QTabWidget;
 
 namespace ravnoves {
 
@@ -17,7 +16,6 @@ class StudyModel;
 class SweepView;
 class TableEditor;
 class TornadoView;
-class TroubleLine;
 
 /// How sure the results of a page are, and what matters most: tolerances of its inputs, the results
 /// to watch, and what follows, in a window of its own that follows the page.
@@ -65,11 +63,9 @@ class ToleranceWindow : public QDialog {
     QComboBox* samples_ = nullptr;
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
-    TroubleLine* rejected_ = nullptr;
     TornadoView* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;
     SweepView* sweep_ = nullptr;
-    QTabWidget* tabs_ = nullptr;
 };
 
 }  // namespace ravnoves
