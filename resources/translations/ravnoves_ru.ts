@@ -16275,14 +16275,6 @@ but at this l no α is feasible</source>
         <translation>вместе с другими, %</translation>
     </message>
     <message>
-        <source>alone</source>
-        <translation>сама по себе</translation>
-    </message>
-    <message>
-        <source>with others</source>
-        <translation>вместе с другими</translation>
-    </message>
-    <message>
         <source>Shares of the variance of %1</source>
         <translation>Доли дисперсии: %1</translation>
     </message>

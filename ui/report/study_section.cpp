@@ -12,7 +12,6 @@
 #include "studies/model/study_tables.h"
 #include "studies/model/sweep_model.h"
 #include "studies/tolerance_bands.h"
-#include "studies/tornado_view.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -81,14 +80,6 @@ Table foundValues(const StudyModel& study) {
     table.caption = ReportWords::tr("Results with tolerances");
     table.isSmall = true;
     return table;
-}
-
-Drawing tornadoOf(const StudyModel& study, const StudyAnswer& value) {
-    auto view = std::make_shared<TornadoView>();
-    view->setShares(&value, study);
-    constexpr int width = 640;
-    view->resize(width, view->heightForWidth(width));
-    return drawingOf(view);
 }
 
 /// What the user sweeps in the window of the tolerances.
@@ -167,7 +158,7 @@ void addTolerances(Paper& report, SceneModel& model, const Patience& patience) {
     }
     constexpr std::size_t maximum = 4;
     for (std::size_t i = 0; i < std::min(maximum, answers->values.size()); ++i) {
-        report.body += report.figure(tornadoOf(study, answers->values[i]));
+        report.body += table(tableOf(tornado(study, &answers->values[i])));
     }
     addSweep(report, study, patience);
 }

@@ -31,7 +31,6 @@
 #include "studies/model/study_tables.h"
 #include "studies/sweep_view.h"
 #include "studies/tolerance_bands.h"
-#include "studies/tornado_view.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -45,6 +44,8 @@
 namespace ravnoves {
 
 namespace {
+
+constexpr int tornadoBar = 3;  ///< column
 
 /// Rows are as high as their wrapped names take, also after the column has another width.
 void growRowsWithWords(QTableView& view) {
@@ -285,8 +286,9 @@ QWidget* ToleranceWindow::makeFound() {
     auto* tabs = new QTabWidget(holder);
     tabs->setElideMode(Qt::ElideNone);
     tabs->setUsesScrollButtons(true);
-    tornado_ = new TornadoView(tabs);
-    addScrolledTab(tabs, tornado_, QStringLiteral("contributors"), tr("Main contributors"));
+    tornado_ = new ResultTable(tr("Main contributors"), tabs);
+    tornado_->stretchColumn(tornadoBar);
+    tabs->addTab(tornado_, tr("Main contributors"));
     histogram_ = new PlotView(tabs);
     tabs->addTab(histogram_, tr("Histogram"));
     sweep_ = new SweepView(model_, tabs);
@@ -399,7 +401,10 @@ void ToleranceWindow::showChosen() {
     const StudyAnswer* value =
         answers != nullptr && row < answers->values.size() ? &answers->values[row] : nullptr;
     histogram_->showFigure(histogramFigure(*model_, value));
-    tornado_->setShares(value, *model_);
+    tornado_->setResults(tornado(*model_, value));
+    for (int bar = 0; bar < tornado_->rowCount(); ++bar) {
+        tornado_->item(bar, tornadoBar)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    }
 }
 
 void ToleranceWindow::showEvent(QShowEvent* event) {

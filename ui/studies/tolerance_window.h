@@ -15,7 +15,6 @@ class ScenePage;
 class StudyModel;
 class SweepView;
 class TableEditor;
-class TornadoView;
 
 /// How sure the results of a page are, and what matters most: tolerances of its inputs, the results
 /// to watch, and what follows, in a window of its own that follows the page.
@@ -63,7 +62,7 @@ class ToleranceWindow : public QDialog {
     QComboBox* samples_ = nullptr;
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
-    TornadoView* tornado_ = nullptr;
+    ResultTable* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;
     SweepView* sweep_ = nullptr;
 };

@@ -3,8 +3,10 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "studies/model/study_model.h"
+#include "studies/model/study_tables.h"
 #include "studies/model/sweep_model.h"
 #include "text/number_text.h"
 
@@ -14,6 +16,10 @@ namespace {
 
 struct SweepWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::SweepView)
+};
+
+struct TornadoWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::TornadoView)
 };
 
 struct HistogramWords {
@@ -191,6 +197,35 @@ Results foundResults(const StudyModel& study) {
             {name.withUnit(), shown(value.nominal), shown(value.mean), shown(value.deviation),
              shown(value.linearDeviation) + (value.fails ? QStringLiteral(" ⚠") : QString()),
              shown(value.low), shown(value.high), value.withinText()});
+    }
+    return results;
+}
+
+Results tornado(const StudyModel& study, const StudyAnswer* value) {
+    Results results{{{ScatterTable::tr("Input")},
+                     {TornadoWords::tr("alone, %")},
+                     {TornadoWords::tr("with others, %")},
+                     {QString()}}};
+    if (value == nullptr) {
+        return results;
+    }
+    results.columns.back() = {
+        TornadoWords::tr("Shares of the variance of %1")
+            .arg(study.resultName(value->pointer).withUnit()),
+        TornadoWords::tr("Dark: share of the variance of an input alone (Sobol's first-order "
+                         "index). Light: further share with other inputs (total index).")};
+    std::vector<StudyAnswer::Share> shares = value->shares;
+    std::ranges::stable_sort(shares, std::greater<>(), &StudyAnswer::Share::whole);
+    for (const StudyAnswer::Share& share : shares) {
+        const auto percent = [](double part) { return fixedDecimals(100.0 * part, 1, QLocale()); };
+        const auto bar = [](double part, QChar sign) {
+            constexpr double whole = 32.0;  // signs
+            return QString(qRound(whole * part), sign);
+        };
+        const double alone = std::min(share.alone, 1.0);
+        results.rows.push_back({study.inputName(share.pointer), percent(share.alone),
+                                percent(share.whole),
+                                bar(alone, u'█') + bar(std::min(share.whole, 1.0) - alone, u'░')});
     }
     return results;
 }

@@ -22,6 +22,9 @@ QString sweepWords(const StudyModel& study, const SweepModel& model);
 Figure histogramFigure(const StudyModel& study, const StudyAnswer* value);
 /// The answers of the watched results; without any, the columns alone.
 Results foundResults(const StudyModel& study);
+/// The share of each input in a result's variance, the largest at the top: a bar alone, and its
+/// paler end with its interactions. Null: the columns alone.
+Results tornado(const StudyModel& study, const StudyAnswer* value);
 /// Of the answers: how many samples were solved and are feasible, and why others were rejected; the
 /// line of few feasible ones is a warning.
 std::vector<std::pair<QString, Severity>> samplesWords(const StudyModel& study);
