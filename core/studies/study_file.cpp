@@ -210,8 +210,7 @@ Json write_results(const Part& part) {
     Json reasons = Json::array();
     for (const Rejection& rejection : rejections_of(part)) {
         rejected += rejection.count;
-        reasons.push_back(
-            {{"reason", rejection.reason.message().english()}, {"count", rejection.count}});
+        reasons.push_back({{"reason", rejection.reason.english()}, {"count", rejection.count}});
     }
     json["solved"] = samples - rejected;
     json["refused"] = std::move(reasons);
@@ -254,7 +253,7 @@ std::string case_of_results(const Json& json) {
 namespace {
 
 constexpr std::string_view part_format = "ravnoves-study-part";
-constexpr int part_version = 3;
+constexpr int part_version = 4;
 
 }  // namespace
 
@@ -342,14 +341,9 @@ class PartValues {
         message = text;
     }
     void one(Rejections& rejections) {
-        std::vector<Rejection> all;
-        for (const auto& [kind, rejection] : rejections) {
-            all.push_back(rejection);
-        }
+        std::vector<std::pair<std::string, Rejection>> all(rejections.begin(), rejections.end());
         list(all);
-        for (const Rejection& each : all) {
-            rejections[without_numbers(each.reason.message().english())] = each;
-        }
+        rejections = Rejections(all.begin(), all.end());
     }
     void one(Block& block) {
         std::uint64_t samples = block.to - block.from;
@@ -359,7 +353,9 @@ class PartValues {
         }
     }
     void one(std::pair<std::string, std::string>& two) { (*this)(two.first, two.second); }
-    void one(Rejection& x) { (*this)(x.count, x.first, x.reason.where, x.reason.why); }
+    void one(std::pair<std::string, Rejection>& two) {
+        (*this)(two.second.count, two.second.first, two.first, two.second.reason);
+    }
     void one(Law& x) { (*this)(x.normal, x.mean, x.deviation, x.low, x.high); }
     void one(Taylor::Slope& x) { (*this)(x.value, x.error); }
     void one(Taylor& x) { (*this)(x.value, x.slopes); }

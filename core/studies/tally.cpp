@@ -1,8 +1,6 @@
 #include "studies/tally.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -209,8 +207,20 @@ std::uint64_t count_of(const Rejections& rejections) {
     return count;
 }
 
+std::string without_numbers(const Message& message) {
+    if (message.pattern().empty()) {
+        return message.verbatim();
+    }
+    std::vector<std::string> values;
+    for (const Argument& argument : message.arguments()) {
+        const Message* words = std::get_if<Message>(&argument);
+        values.push_back(words != nullptr ? without_numbers(*words) : "#");
+    }
+    return fill_pattern(message.pattern().english, values);
+}
+
 void reject(Rejections& rejections, std::uint64_t sample, const Reason& reason) {
-    rejections[without_numbers(reason.message().english())] += {1, sample, reason};
+    rejections[without_numbers(reason.message())] += {1, sample, reason.message()};
 }
 
 /// Within a bin the values are taken to lie evenly.
@@ -392,25 +402,6 @@ std::vector<std::uint64_t> Tally::histogram(std::size_t watched, double from, do
     counts.front() += static_cast<std::uint64_t>(value.bins[below]);
     counts.back() += static_cast<std::uint64_t>(value.bins[above]);
     return counts;
-}
-
-std::string without_numbers(const std::string& text) {
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    const auto is_of_word = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
-    };
-    std::string plain;
-    char before = ' ';
-    for (const char* at = text.data(); *at != 0;) {
-        double number = 0.0;
-        const bool is_number = !is_of_word(before) && is_digit(*at == '-' ? at[1] : *at);
-        const char* const after =
-            is_number ? std::from_chars(at, text.data() + text.size(), number).ptr : at + 1;
-        plain += is_number ? '#' : *at;
-        before = after[-1];
-        at = after;
-    }
-    return plain;
 }
 
 }  // namespace ravnoves::studies

@@ -58,13 +58,15 @@ struct Statistics {
 struct Rejection {
     std::uint64_t count = 0;
     std::uint64_t first = 0;  ///< the sample that the reason is of
-    Reason reason;
+    Message reason;
     Rejection& operator+=(const Rejection& more);
 };
 
 /// By the English reason without its numbers.
 using Rejections = std::map<std::string, Rejection>;
 std::uint64_t count_of(const Rejections& rejections);
+/// In English, with # in the place of a number.
+std::string without_numbers(const Message& message);
 void reject(Rejections& rejections, std::uint64_t sample, const Reason& reason);
 
 /// Sums of solved samples of one watched value, about the plan's centre.
@@ -150,8 +152,5 @@ class Tally {
     Counts pair_counts_;
     Rejections rejections_;
 };
-
-/// The text with its numbers left out: rejections of one kind read the same.
-std::string without_numbers(const std::string& text);
 
 }  // namespace ravnoves::studies

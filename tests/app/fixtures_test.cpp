@@ -85,7 +85,7 @@ TEST_F(Fixtures, PartsOfOtherVersionsAreRejected) {
     const Outcome outcome = run("study --merge two-stroke.part-*.json");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err,
-              "two-stroke.part-1.json: /version: must be 3; run the parts of other versions again, "
+              "two-stroke.part-1.json: /version: must be 4; run the parts of other versions again, "
               "got 1\n");
 }
 

@@ -473,18 +473,14 @@ TEST(Study, AChangedPartIsRejected) {
 }
 
 TEST(Study, RejectionsOfOneKindReadTheSameWithoutNumbers) {
-    for (const auto& [text, plain] :
-         {std::pair("/x0: must be at most 2.5, got -3.1e-7", "/x0: must be at most #, got #"),
-          std::pair("5 of 6. -7", "# of # #"), std::pair("rod_2 lacks --8e", "rod_2 lacks -#e"),
-          std::pair("1-2 e5 - nan 1e+", "#-# e5 - nan #e+")}) {
-        EXPECT_EQ(without_numbers(text), plain);
-    }
-    EXPECT_EQ(without_numbers("has " + std::string(1'000'000, '1')), "has #");
+    const Message rule(Text{"must be at most %1"}, 2.5);
+    EXPECT_EQ(without_numbers({Text{"%1: %2 of %3"}, "rod_2", rule, 7}),
+              "rod_2: must be at most # of #");
 }
 
 TEST(Study, APartNeedsItsChecksum) {
     EXPECT_EQ(error_of([&] {
-                  read_part({{"format", "ravnoves-study-part"}, {"version", 3}});
+                  read_part({{"format", "ravnoves-study-part"}, {"version", 4}});
               }),
               "/sha256: is required and missing");
 }

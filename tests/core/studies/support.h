@@ -29,7 +29,7 @@ class FunctionResponse final : public Response {
         : function_(std::move(function)), period_(period) {}
     double period(std::size_t /*watched*/) const override { return period_; }
     bool evaluate(std::span<const double> x, std::span<double> y) override {
-        reason_ = {"/x", "must be less than " + std::to_string(x[0])};
+        reason_ = {"/x", {Text{"must be less than %1"}, x[0]}};
         return function_(x, y);
     }
 

@@ -248,7 +248,7 @@ std::vector<std::pair<QString, std::uint64_t>> StudyModel::rejected() const {
     std::vector<std::pair<QString, std::uint64_t>> all;
     if (answers_) {
         for (const studies::Rejection& rejection : answers_->rejected) {
-            all.emplace_back(named(rejection.reason.message()), rejection.count);
+            all.emplace_back(named(rejection.reason), rejection.count);
         }
     }
     return all;
