@@ -32,12 +32,12 @@ namespace {
 constexpr std::string_view study_format = "ravnoves-study";
 constexpr int study_version = 1;
 
-Json write_linear(const Study& study, const Taylor& expansion, std::span<const Law> laws) {
+Json write_linear(const Part& part, const Taylor& expansion,
+                  const std::optional<Taylor::Propagated>& linear) {
     Json derivatives = Json::object();
     Json contributions = Json::object();
-    const auto linear = expansion.propagated(laws);
-    for (std::size_t j = 0; j < laws.size(); ++j) {
-        const std::string& input = study.vary[j].pointer;
+    for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
+        const std::string& input = part.study.vary[j].pointer;
         const auto& slope = expansion.slopes[j];
         derivatives[input] =
             slope ? Json{{"value", slope->value}, {"error", slope->error}} : Json(nullptr);
@@ -65,37 +65,31 @@ void write_sensitivities(const Study& study, const char* key,
 
 Json write_watched(const Part& part, std::size_t w) {
     const Study& study = part.study;
-    const Basis& basis = part.basis;
-    const bool sampled = is_sampled(study.method);
-    const Taylor& expansion = basis.expansions[w];
-    const auto linear = expansion.propagated(basis.laws);
-    Json json = {{"nominal", basis.nominal[w]}};
-    if (part.tally.solved() == 0 || (!sampled && !linear)) {
-        for (const char* key : {"mean", "standard_deviation", "min", "max", "percentiles"}) {
-            json[key] = nullptr;
+    const auto [linear, found] = found_of(part, w);
+    Json json = {{"nominal", part.basis.nominal[w]}};
+    for (const char* key : {"mean", "standard_deviation", "min", "max", "percentiles"}) {
+        json[key] = nullptr;
+    }
+    if (found) {
+        json["mean"] = found->mean;
+        if (study.method == Method::linear || part.tally.solved() >= 2) {
+            json["standard_deviation"] = found->deviation;
         }
-        json["linear"] = write_linear(study, expansion, basis.laws);
-        return json;
+        json["min"] = found->min;
+        json["max"] = found->max;
+        Json& percentiles = json["percentiles"] = Json::object();
+        for (std::size_t i = 0; i < percent_points.size(); ++i) {
+            percentiles[format_number(percent_points[i])] = found->percentiles[i];
+        }
+        if (study.watch[w].min || study.watch[w].max) {
+            json["within"] = {
+                {"share", found->share}, {"low", found->share_low}, {"high", found->share_high}};
+        }
     }
-    const Statistics found = part.tally.statistics(w, part.blocks);
-    json["mean"] = sampled ? found.mean : *expansion.value;
-    json["standard_deviation"] = !sampled                   ? Json(linear->deviation)
-                                 : part.tally.solved() >= 2 ? Json(found.deviation)
-                                                            : Json(nullptr);
-    json["min"] = found.min;
-    json["max"] = found.max;
-    Json& percentiles = json["percentiles"] = Json::object();
-    for (std::size_t i = 0; i < percent_points.size(); ++i) {
-        percentiles[format_number(percent_points[i])] = found.percentiles[i];
-    }
-    if (study.watch[w].min || study.watch[w].max) {
-        json["within"] = {
-            {"share", found.share}, {"low", found.share_low}, {"high", found.share_high}};
-    }
-    json["linear"] = write_linear(study, expansion, basis.laws);
-    if (sampled) {
-        write_sensitivities(study, "first_order", found.first_order, json);
-        write_sensitivities(study, "total", found.total, json);
+    json["linear"] = write_linear(part, part.basis.expansions[w], linear);
+    if (found && is_sampled(study.method)) {
+        write_sensitivities(study, "first_order", found->first_order, json);
+        write_sensitivities(study, "total", found->total, json);
     }
     return json;
 }
@@ -131,6 +125,22 @@ std::optional<double> vague_sensitivities(const Statistics& found) {
 
 }  // namespace
 
+Found found_of(const Part& part, std::size_t watched) {
+    const Taylor& expansion = part.basis.expansions[watched];
+    Found found{.linear = expansion.propagated(part.basis.laws)};
+    const bool is_linear = part.study.method == Method::linear;
+    if (part.tally.solved() > 0 && (!is_linear || found.linear)) {
+        found.statistics = part.tally.statistics(watched, part.blocks);
+    }
+    if (is_linear && found.statistics) {
+        found.statistics->mean = *expansion.value;
+        found.statistics->deviation = found.linear->deviation;
+        found.statistics->first_order.clear();
+        found.statistics->total.clear();
+    }
+    return found;
+}
+
 std::vector<Note> noted(const Part& part) {
     std::vector<Note> notes;
     for (const Message& note : part.file_notes) {
@@ -160,10 +170,8 @@ std::vector<Note> noted(const Part& part) {
     }
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
         const std::string& name = part.study.watch[w].pointer;
-        const auto linear = basis.expansions[w].propagated(basis.laws);
-        const auto maximum = linear_study
-                                 ? std::nullopt
-                                 : vague_sensitivities(part.tally.statistics(w, part.blocks));
+        const auto [linear, found] = found_of(part, w);
+        const auto maximum = found ? vague_sensitivities(*found) : std::nullopt;
         if (maximum) {
             notes.push_back({{Text::tr("The samples are too few for the sensitivities of %1: "
                                        "standard errors up to %2."),

@@ -172,6 +172,15 @@ Part read_part(Json json);
 /// Whether two parts of a study began with the same numbers.
 bool same_basis(const Basis& one, const Basis& other);
 
+/// What a study has found of a watched value, as its method says it.
+struct Found {
+    std::optional<Taylor::Propagated> linear{};
+    /// Nothing without a solved sample, or where a linear study has no slopes; of a single sample
+    /// the deviation says nothing.
+    std::optional<Statistics> statistics{};
+};
+Found found_of(const Part& part, std::size_t watched);
+
 /// A note on an answer.
 struct Note {
     Message text;

@@ -384,7 +384,7 @@ void ToleranceWindow::showFound() {
         const StudyAnswer& value = answers->values[static_cast<std::size_t>(row)];
         if (value.fails) {
             constexpr int linearColumn = 4;
-            table_->item(row, linearColumn)->setToolTip(model_->failure(value));
+            table_->item(row, linearColumn)->setToolTip(model_->named(*value.fails));
         }
     }
     if (table_->currentRow() < 0 && table_->rowCount() > 0) {

@@ -350,7 +350,7 @@ TEST_F(Tolerances, WhereTheLinearAnswerFailsItIsMarked) {
     ASSERT_TRUE(answer.fails);
     const QTableWidgetItem* linear = the<ResultTable>()->item(0, 4);
     EXPECT_TRUE(linear->text().endsWith(u"⚠"_s));
-    EXPECT_EQ(linear->toolTip(), tolerances->model()->failure(answer));
+    EXPECT_EQ(linear->toolTip(), tolerances->model()->named(*answer.fails));
     EXPECT_FALSE(linear->toolTip().contains(u"/shaft_angle_deg"_s));  // by its name
 }
 
@@ -580,10 +580,11 @@ TEST_F(Tolerances, WhatCannotBeSolvedIsCountedByReasonsInWords) {
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
     std::uint64_t rejected = 0;
-    for (const auto& [reason, count] : tolerances->model()->rejected()) {
+    for (const studies::Rejection& each : tolerances->model()->answers()->rejected) {
+        const QString reason = tolerances->model()->named(each.reason);
         EXPECT_FALSE(reason.contains(u'/')) << reason.toStdString();
         EXPECT_TRUE(reason.contains(u':')) << reason.toStdString();
-        rejected += count;
+        rejected += each.count;
     }
     EXPECT_GT(rejected, 0U);
     EXPECT_EQ(tolerances->model()->answers()->solved + rejected, study().samples);

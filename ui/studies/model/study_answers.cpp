@@ -12,60 +12,48 @@ namespace {
 
 constexpr std::size_t bars = 48;
 
-void addHistogram(StudyAnswer& answer, const studies::Part& part, std::size_t place, double low,
-                  double high) {
-    if (!(high > low)) {
-        return;
-    }
-    const auto counts = part.tally.histogram(place, low, high, bars);
-    const double width = (high - low) / static_cast<double>(counts.size());
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        answer.middles.push_back(low + (static_cast<double>(i) + 0.5) * width);
-        answer.heights.push_back(static_cast<double>(counts[i]) /
-                                 static_cast<double>(part.tally.solved()));
-    }
-}
-
 StudyAnswer answerOf(const studies::Part& part, std::size_t place) {
     const studies::Watched& watched = part.study.watch[place];
-    const studies::Taylor& expansion = part.basis.expansions[place];
-    const auto linear = expansion.propagated(part.basis.laws);
-    const bool isSampled = studies::is_sampled(part.study.method);
+    const auto [linear, found] = studies::found_of(part, place);
     StudyAnswer answer;
     answer.pointer = watched.pointer;
     answer.nominal = part.basis.nominal[place];
     if (linear) {
         answer.linearDeviation = linear->deviation;
     }
-    if (part.tally.solved() < 2 || !(isSampled || linear)) {
+    if (!found || part.tally.solved() < 2) {
         return answer;
     }
-    const studies::Statistics found = part.tally.statistics(place, part.blocks);
-    answer.mean = isSampled ? found.mean : *expansion.value;
-    answer.deviation = isSampled ? found.deviation : linear->deviation;
+    answer.mean = found->mean;
+    answer.deviation = found->deviation;
     static_assert(studies::percent_points[2] == 5.0 && studies::percent_points[6] == 95.0);
-    answer.low = found.percentiles[2];
-    answer.high = found.percentiles[6];
+    answer.low = found->percentiles[2];
+    answer.high = found->percentiles[6];
     if (watched.min || watched.max) {
-        answer.within = found.share;
-        answer.withinLow = found.share_low;
-        answer.withinHigh = found.share_high;
+        answer.within = found->share;
+        answer.withinLow = found->share_low;
+        answer.withinHigh = found->share_high;
     }
-    const auto reported = [isSampled](const std::vector<std::optional<studies::Estimate>>& all,
-                                      std::size_t j) {
-        // A share within its own error is noise.
-        return isSampled && j < all.size() && all[j] && all[j]->value > 2.0 * all[j]->error
-                   ? std::optional(all[j]->value)
-                   : std::nullopt;
-    };
     for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
-        const double alone =
-            reported(found.first_order, j).value_or(linear ? linear->shares[j] : 0.0);
-        answer.shares.push_back({part.study.vary[j].pointer, alone,
-                                 std::max(alone, reported(found.total, j).value_or(alone))});
+        const auto reported = [j](const std::vector<std::optional<studies::Estimate>>& all,
+                                  double otherwise) {
+            // A share within its own error is noise.
+            return j < all.size() && all[j] && all[j]->value > 2.0 * all[j]->error ? all[j]->value
+                                                                                   : otherwise;
+        };
+        const double alone = reported(found->first_order, linear ? linear->shares[j] : 0.0);
+        answer.shares.push_back(
+            {part.study.vary[j].pointer, alone, std::max(alone, reported(found->total, alone))});
     }
-    if (isSampled) {
-        addHistogram(answer, part, place, found.percentiles.front(), found.percentiles.back());
+    const double low = found->percentiles.front();
+    const double high = found->percentiles.back();
+    if (studies::is_sampled(part.study.method) && high > low) {
+        const auto counts = part.tally.histogram(place, low, high, bars);
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            answer.middles.push_back(std::lerp(low, high, (static_cast<double>(i) + 0.5) / bars));
+            answer.heights.push_back(static_cast<double>(counts[i]) /
+                                     static_cast<double>(part.tally.solved()));
+        }
     }
     return answer;
 }

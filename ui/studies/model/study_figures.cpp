@@ -242,9 +242,10 @@ std::vector<std::pair<QString, Severity>> samplesWords(const StudyModel& study) 
                                answers.isRarelyFeasible() ? Severity::warning : Severity::note);
         }
     }
-    for (const auto& [reason, count] : study.rejected()) {
+    for (const studies::Rejection& rejection : answers.rejected) {
         lines.emplace_back(HistogramWords::tr("Rejected: %1 × %2")
-                               .arg(QLocale().toString(qulonglong(count)), reason),
+                               .arg(QLocale().toString(qulonglong(rejection.count)),
+                                    study.named(rejection.reason)),
                            Severity::note);
     }
     return lines;

@@ -240,20 +240,6 @@ QStringList StudyModel::notes() const {
     return notes;
 }
 
-QString StudyModel::failure(const StudyAnswer& answer) const {
-    return answer.fails ? named(*answer.fails) : QString();
-}
-
-std::vector<std::pair<QString, std::uint64_t>> StudyModel::rejected() const {
-    std::vector<std::pair<QString, std::uint64_t>> all;
-    if (answers_) {
-        for (const studies::Rejection& rejection : answers_->rejected) {
-            all.emplace_back(named(rejection.reason), rejection.count);
-        }
-    }
-    return all;
-}
-
 bool StudyModel::isBusy() const {
     return later_.isActive() || job_->isRunning();
 }

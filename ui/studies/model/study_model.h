@@ -104,10 +104,6 @@ class StudyModel : public QObject {
     const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
     /// Of the answers, with the names of inputs and results.
     QStringList notes() const;
-    /// Why the linear answer of a value fails; empty where it is valid.
-    QString failure(const StudyAnswer& answer) const;
-    /// Why samples were rejected, as text, and how many.
-    std::vector<std::pair<QString, std::uint64_t>> rejected() const;
     /// They are of an earlier state, and newer ones are being computed.
     bool isStale() const { return stale_; }
     /// With names of inputs and results in the place of their pointers.
