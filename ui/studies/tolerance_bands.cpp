@@ -148,20 +148,6 @@ void ToleranceBands::begin() {
     }
     const SceneModel& model = *page_->model();
     CaseFile file = model.caseFile();  // with defaults
-    const Json& input = file.input;
-    std::vector<Json::json_pointer> places;
-    std::vector<studies::Law> laws;
-    for (const studies::Varied& varied : study_.vary) {
-        const Json::json_pointer place(varied.pointer);
-        if (!input.contains(place) || !input.at(place).is_number()) {
-            continue;  // the case has it no more
-        }
-        const studies::Law law = studies::law_of(varied, input.at(place).get<double>());
-        if (law.deviation > 0.0) {
-            places.push_back(place);
-            laws.push_back(law);
-        }
-    }
     std::vector<std::string_view> ids;
     if (isOfAll_) {
         for (const PagePart& part : model.parts()) {
@@ -183,11 +169,26 @@ void ToleranceBands::begin() {
     sample->takeView(model);
     sample->moveToThread(nullptr);
     auto numbers = std::make_shared<PartNumbers>(model, ids);
-    job_->start([this, file = std::move(file), places = std::move(places), laws = std::move(laws),
-                 context = model.context(), study = study_, numbers, sample = std::move(sample)](
+    job_->start([this, file = std::move(file), context = model.context(), study = study_, numbers,
+                 sample = std::move(sample)](
                     const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
         const std::shared_ptr<SceneModel> own = std::move(sample);
         own->moveToThread(QThread::currentThread());
+        Json& input = file.input;
+        std::vector<Json::json_pointer> places;
+        std::vector<studies::Law> laws;
+        for (const studies::Varied& varied : study.vary) {
+            const Json::json_pointer place(varied.pointer);
+            if (!input.contains(place) || !input.at(place).is_number()) {
+                continue;  // the case has it no more
+            }
+            const studies::Law law = studies::law_of(varied, input.at(place).get<double>());
+            if (law.deviation > 0.0) {
+                places.push_back(place);
+                laws.push_back(law);
+            }
+        }
+        const bool isTyped = !laws.empty();
         const auto phase = studies::open_input(file, context, study.vary);
         if (phase) {
             places.emplace_back(phase->pointer);
@@ -197,7 +198,6 @@ void ToleranceBands::begin() {
             return [this] { clear(false); };
         }
         const auto samples = samplesOf(laws, study.method, study.seed);
-        Json& input = file.input;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (!progress(static_cast<double>(i) / static_cast<double>(samples.size()))) {
                 return {};
@@ -212,7 +212,6 @@ void ToleranceBands::begin() {
             }
             numbers->add(*own);
         }
-        const bool isTyped = laws.size() > (phase ? 1 : 0);
         QString how = (isTyped ? tr("Half of the range from 5 % to 95 % of %1 samples of the "
                                     "tolerances; both sides where they differ.")
                                : tr("Half of the range from 5 % to 95 % of %1 samples of the "
