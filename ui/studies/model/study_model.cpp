@@ -89,11 +89,7 @@ void StudyModel::follow() {
 }
 
 void StudyModel::move() {
-    if (std::exchange(solutions_, scene_->solutions()) == scene_->solutions()) {
-        return;
-    }
-    behind_ = true;
-    if (watched_) {
+    if (watched_ && isBehind()) {
         const bool isFirst = !stale_;
         outdate();
         if (isFirst) {
@@ -110,7 +106,6 @@ void StudyModel::outdate() {
 }
 
 void StudyModel::refresh() {
-    behind_ = false;
     solutions_ = scene_->solutions();
     readStudy();
     inputs_.clear();
@@ -256,7 +251,7 @@ void StudyModel::setWatched(bool watched) {
 
 void StudyModel::start() {
     later_.stop();
-    if (behind_) {
+    if (isBehind()) {
         refresh();
     }
     if (!watched_) {

@@ -122,6 +122,8 @@ class StudyModel : public QObject {
     void refresh();
     /// The history says that something happened: a drag says no more than that.
     void move();
+    /// The input has moved since it was adopted.
+    bool isBehind() const { return solutions_ != scene_->solutions(); }
     void readStudy();
     /// Newer answers are to come, when the hand that moves something rests.
     void outdate();
@@ -137,11 +139,10 @@ class StudyModel : public QObject {
     QString trouble_;
     QString removedMethod_;
     bool isRejected_ = false;  ///< the case's study cannot be read, and stays until it is cleared
-    int solutions_ = -1;       ///< of the scene, at the last look
+    int solutions_ = -1;       ///< of the scene, when it was adopted
     mutable std::map<std::string, ResultName> names_;  ///< of results
     mutable int namedOf_ = -1;                         ///< solutions_ when they were looked up
     bool stale_ = false;
-    bool behind_ = false;  ///< the input has moved since the last copy
     bool watched_ = false;
 };
 
