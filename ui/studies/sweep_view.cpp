@@ -24,40 +24,39 @@
 namespace ravnoves {
 
 SweepView::SweepView(StudyModel* study, QWidget* parent)
-    : QWidget(parent), study_(study), model_(new SweepModel(study, this)) {
+    : QWidget(parent),
+      study_(study),
+      model_(new SweepModel(study, this)),
+      input_(new QComboBox(this)),
+      from_(new NumberField(this)),
+      to_(new NumberField(this)),
+      result_(new QComboBox(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::gap);
     auto* choices = new QHBoxLayout;
-    const auto chooser = [&](const QString& text, const char* name) {
+    const auto add = [&](const QString& text, QWidget* field, const char* name, int stretch) {
         auto* label = new QLabel(text, this);
-        auto* box = new QComboBox(this);
-        box->setObjectName(QLatin1String(name));
+        label->setBuddy(field);
+        field->setObjectName(QLatin1String(name));
+        choices->addWidget(label);
+        choices->addWidget(field, stretch);
+    };
+    add(tr("&Input"), input_, "sweep_input", 1);
+    add(tr("&From"), from_, "sweep_from", 0);
+    add(tr("t&o"), to_, "sweep_to", 0);
+    add(tr("&Result"), result_, "sweep_result", 1);
+    for (QComboBox* box : {input_, result_}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(6);
-        label->setBuddy(box);
-        choices->addWidget(label);
-        choices->addWidget(box, 1);
-        return box;
-    };
-    input_ = chooser(tr("&Input"), "sweep_input");
-    const auto end = [&](const QString& text, const char* name) {
-        auto* label = new QLabel(text, this);
-        auto* field = new NumberField(this);
-        field->setObjectName(QLatin1String(name));
-        field->setOptional(true);
-        field->setIsOfResult(false);
+    }
+    for (NumberField* end : {from_, to_}) {
+        end->setOptional(true);
+        end->setIsOfResult(false);
         constexpr int widest = 96;
-        field->setMaximumWidth(Theme::withText(widest));
-        field->setHint(tr("Blank: limit of the tolerance; without a tolerance, the value ± 10 %."));
-        label->setBuddy(field);
-        choices->addWidget(label);
-        choices->addWidget(field);
-        connect(field, &NumberField::valueEdited, this, &SweepView::keepChoice);
-        return field;
-    };
-    from_ = end(tr("&From"), "sweep_from");
-    to_ = end(tr("t&o"), "sweep_to");
-    result_ = chooser(tr("&Result"), "sweep_result");
+        end->setMaximumWidth(Theme::withText(widest));
+        end->setHint(tr("Blank: limit of the tolerance; without a tolerance, the value ± 10 %."));
+        connect(end, &NumberField::valueEdited, this, &SweepView::keepChoice);
+    }
     connect(input_, &QComboBox::activated, this, [this] {
         from_->setValue({});
         to_->setValue({});
@@ -97,26 +96,21 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
 }
 
 void SweepView::fillChoices() {
-    const auto fill = [](QComboBox* box, const std::vector<std::pair<QString, QString>>& entries,
-                         const std::string& wanted) {
-        const QSignalBlocker block(box);
-        box->clear();
-        for (const auto& [text, data] : entries) {
-            box->addItem(text, data);
-        }
-        box->setCurrentIndex(std::max(box->findData(QString::fromStdString(wanted)), 0));
-    };
-    std::vector<std::pair<QString, QString>> inputs;
+    const QSignalBlocker blockInput(input_);
+    const QSignalBlocker blockResult(result_);
+    input_->clear();
+    result_->clear();
     for (const StudyModel::Input* input : model_->inputs()) {
-        inputs.emplace_back(input->name, QString::fromStdString(input->pointer));
+        input_->addItem(input->name, QString::fromStdString(input->pointer));
     }
-    fill(input_, inputs, model_->input());
-    std::vector<std::pair<QString, QString>> results;
     for (const studies::Watched& watched : study_->study().watch) {
-        results.emplace_back(study_->resultName(watched.pointer).withUnit(),
-                             QString::fromStdString(watched.pointer));
+        result_->addItem(study_->resultName(watched.pointer).withUnit(),
+                         QString::fromStdString(watched.pointer));
     }
-    fill(result_, results, model_->result());
+    for (const auto& [box, chosen] :
+         {std::pair(input_, model_->input()), std::pair(result_, model_->result())}) {
+        box->setCurrentIndex(std::max(box->findData(QString::fromStdString(chosen)), 0));
+    }
     showEnds();
 }
 

@@ -40,9 +40,9 @@ class SweepView : public QWidget {
     StudyModel* study_;
     SweepModel* model_;
     QComboBox* input_;
-    QComboBox* result_;
     NumberField* from_;
     NumberField* to_;
+    QComboBox* result_;
     QLabel* words_;
     QPushButton* take_;
     PlotView* plot_;

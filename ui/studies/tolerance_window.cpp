@@ -211,14 +211,15 @@ QWidget* ToleranceWindow::makeAnswers() {
         auto* label = new QLabel(text, holder);
         auto* box = new QComboBox(holder);
         box->setObjectName(QLatin1String(name));
+        constexpr int minChooser = 90;  // they give way where the text is large
+        box->setMinimumWidth(Theme::withText(minChooser));
         label->setBuddy(box);
         row->addWidget(label);
         row->addWidget(box);
         return box;
     };
     method_ = chooser(tr("M&ethod"), "method");
-    constexpr int minChooser = 90;  // they give way where the text is large
-    method_->setMinimumWidth(Theme::withText(minChooser));
+    samples_ = chooser(tr("&Samples"), "samples");
     for (const studies::Method method :
          {studies::Method::sobol, studies::Method::monte_carlo, studies::Method::linear}) {
         const auto number = static_cast<std::size_t>(method);
@@ -228,36 +229,12 @@ QWidget* ToleranceWindow::makeAnswers() {
     connect(method_, &QComboBox::activated, this, [this] {
         model_->setMethod(static_cast<studies::Method>(method_->currentData().toInt()));
     });
-    samples_ = chooser(tr("&Samples"), "samples");
-    samples_->setMinimumWidth(Theme::withText(minChooser));
     connect(samples_, &QComboBox::activated, this,
             [this](int index) { model_->setSamples(samples_->itemData(index).toULongLong()); });
     row->addStretch();
     column->addLayout(row);
 
-    column->addWidget(makeFound(), 1);
-    bands_ = new QCheckBox(tr("Show &bands and ± on the page"), holder);
-    bands_->setObjectName(QStringLiteral("bands"));
-    connect(bands_, &QCheckBox::clicked, &ToleranceBands::setShown);
-    auto* progress = new JobProgress(model_->job(), tr("Progress"), holder);
-    constexpr int minProgress = 60;  // beside long words
-    progress->setMinimumWidth(Theme::withText(minProgress));
-    auto* below = new QHBoxLayout;
-    below->addWidget(bands_, 1);
-    below->addWidget(progress);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, holder);
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter is of the tables
-    connect(buttons, &QDialogButtonBox::rejected, this, &QWidget::close);
-    below->addWidget(buttons);
-    column->addLayout(below);
-    return holder;
-}
-
-QWidget* ToleranceWindow::makeFound() {
-    auto* holder = new QWidget(this);
-    QVBoxLayout* column = columnIn(holder);
-    table_ = new ResultTable(holder);
-    table_->setAccessibleName(tr("Results with tolerances"));
+    table_ = new ResultTable(tr("Results with tolerances"), holder);
     table_->setColumns(foundResults(*model_).columns);
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
         histogram_->resetZoom();  // to part of another result
@@ -298,6 +275,20 @@ QWidget* ToleranceWindow::makeFound() {
         tab->setMinimumWidth(Theme::withText(minTab));
     }
     column->addWidget(tabs, 5);
+    bands_ = new QCheckBox(tr("Show &bands and ± on the page"), holder);
+    bands_->setObjectName(QStringLiteral("bands"));
+    connect(bands_, &QCheckBox::clicked, &ToleranceBands::setShown);
+    auto* progress = new JobProgress(model_->job(), tr("Progress"), holder);
+    constexpr int minProgress = 60;  // beside long words
+    progress->setMinimumWidth(Theme::withText(minProgress));
+    auto* below = new QHBoxLayout;
+    below->addWidget(bands_, 1);
+    below->addWidget(progress);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, holder);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter is of the tables
+    connect(buttons, &QDialogButtonBox::rejected, this, &QWidget::close);
+    below->addWidget(buttons);
+    column->addLayout(below);
     return holder;
 }
 

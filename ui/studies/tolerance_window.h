@@ -43,7 +43,6 @@ class ToleranceWindow : public QDialog {
   private:
     QWidget* makeInputs();
     QWidget* makeAnswers();
-    QWidget* makeFound();
     void addKeys();
     /// Watches a result, and moves to its limits.
     void watch(const std::string& pointer);
