@@ -150,11 +150,8 @@ void addTolerances(Paper& report, SceneModel& model, const Patience& patience) {
     }
     report.say(methodText(study.study()));
     report.body += table(foundValues(study));
-    for (const auto& [line, severity] : samplesWords(study)) {
+    for (const auto& [severity, line] : notesOf(study).lines) {
         report.say(line, severity == Severity::warning ? Tone::Warning : Tone::Muted);
-    }
-    for (const QString& note : study.notes()) {
-        report.say(note, Tone::Warning);
     }
     constexpr std::size_t maximum = 4;
     for (std::size_t i = 0; i < std::min(maximum, answers->values.size()); ++i) {

@@ -357,10 +357,9 @@ void ToleranceWindow::showFound() {
         if (model_->isStale()) {
             lines << tr("Values before the change; computing…");
         }
-        for (const auto& [line, severity] : samplesWords(*model_)) {
+        for (const auto& [severity, line] : notesOf(*model_).lines) {
             lines << line;
         }
-        lines << model_->notes();
     }
     const Theme& theme = Theme::instance();
     QPalette ink = table_->palette();

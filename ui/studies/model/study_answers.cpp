@@ -1,6 +1,5 @@
 #include "studies/model/study_answers.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -85,12 +84,6 @@ QString StudyAnswer::withinText() const {
     };
     return QStringLiteral("%1 (%2 … %3)")
         .arg(percentText(*within), shown(withinLow), shown(withinHigh));
-}
-
-QString StudyAnswers::feasibleText() const {
-    return feasible ? QCoreApplication::translate("ravnoves::StudyModel", "Feasible samples: %1")
-                          .arg(percentText(*feasible))
-                    : QString();
 }
 
 StudyAnswers answersOf(const studies::Part& part, std::size_t watched) {

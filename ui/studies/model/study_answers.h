@@ -39,10 +39,6 @@ struct StudyAnswers {
     std::optional<double> feasible = {};  ///< share of these, where the scene tells
     std::vector<studies::Rejection> rejected;
     std::vector<Message> notes;
-
-    /// "Feasible samples: 98.2 %"; empty where that is not known.
-    QString feasibleText() const;
-    bool isRarelyFeasible() const { return feasible && *feasible < 0.95; }
 };
 
 /// The answers of a study that is done.

@@ -230,25 +230,27 @@ Results tornado(const StudyModel& study, const StudyAnswer* value) {
     return results;
 }
 
-std::vector<std::pair<QString, Severity>> samplesWords(const StudyModel& study) {
-    std::vector<std::pair<QString, Severity>> lines;
+Notes notesOf(const StudyModel& study) {
+    Notes notes;
     const StudyAnswers& answers = *study.answers();
     if (studies::is_sampled(study.study().method)) {
-        lines.emplace_back(HistogramWords::tr("Samples solved: %1")
-                               .arg(QLocale().toString(qulonglong(answers.solved))),
-                           Severity::note);
+        notes.say(Severity::note, HistogramWords::tr("Samples solved: %1")
+                                      .arg(QLocale().toString(qulonglong(answers.solved))));
         if (answers.feasible) {
-            lines.emplace_back(answers.feasibleText(),
-                               answers.isRarelyFeasible() ? Severity::warning : Severity::note);
+            constexpr double few = 0.95;
+            notes.say(*answers.feasible < few ? Severity::warning : Severity::note,
+                      StudyModel::tr("Feasible samples: %1").arg(percentText(*answers.feasible)));
         }
     }
     for (const studies::Rejection& rejection : answers.rejected) {
-        lines.emplace_back(HistogramWords::tr("Rejected: %1 × %2")
-                               .arg(QLocale().toString(qulonglong(rejection.count)),
-                                    study.named(rejection.reason)),
-                           Severity::note);
+        notes.say(Severity::note, HistogramWords::tr("Rejected: %1 × %2")
+                                      .arg(QLocale().toString(qulonglong(rejection.count)),
+                                           study.named(rejection.reason)));
     }
-    return lines;
+    for (const Message& note : answers.notes) {
+        notes.say(Severity::warning, study.named(note));
+    }
+    return notes;
 }
 
 }  // namespace ravnoves

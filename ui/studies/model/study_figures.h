@@ -1,9 +1,8 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "case-file/verdict.h"
+#include "model/part.h"
 #include "plot/model/figure.h"
 #include "text/result_row.h"
 
@@ -25,8 +24,8 @@ Results foundResults(const StudyModel& study);
 /// The share of each input in a result's variance, the largest at the top: a bar alone, and its
 /// paler end with its interactions. Null: the columns alone.
 Results tornado(const StudyModel& study, const StudyAnswer* value);
-/// Of the answers: how many samples were solved and are feasible, and why others were rejected; the
-/// line of few feasible ones is a warning.
-std::vector<std::pair<QString, Severity>> samplesWords(const StudyModel& study);
+/// Of the answers: how many samples were solved and are feasible, and why others were rejected; few
+/// feasible ones are a warning, and what the study says of its answers is one.
+Notes notesOf(const StudyModel& study);
 
 }  // namespace ravnoves

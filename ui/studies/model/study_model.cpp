@@ -227,14 +227,6 @@ QString StudyModel::named(const Message& message) const {
                        }});
 }
 
-QStringList StudyModel::notes() const {
-    QStringList notes;
-    for (const Message& note : answers_ ? answers_->notes : std::vector<Message>()) {
-        notes << named(note);
-    }
-    return notes;
-}
-
 bool StudyModel::isBusy() const {
     return later_.isActive() || job_->isRunning();
 }

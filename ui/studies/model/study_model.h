@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QStringList>
 #include <QTimer>
 #include <map>
 #include <memory>
@@ -102,8 +101,6 @@ class StudyModel : public QObject {
     void setWatched(bool watched);
     /// Null without answers.
     const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
-    /// Of the answers, with the names of inputs and results.
-    QStringList notes() const;
     /// They are of an earlier state, and newer ones are being computed.
     bool isStale() const { return stale_; }
     /// With names of inputs and results in the place of their pointers.
