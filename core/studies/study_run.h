@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <functional>
 #include <future>
 #include <memory>
@@ -34,13 +33,11 @@ class Progress {
     Progress(const KeepGoing& keep_going, std::uint64_t total)
         : keep_going_(keep_going), total_(static_cast<double>(total)) {}
 
-    /// After a step of a worker; the first one tells of all steps now and then, in its thread.
+    /// After a step of a worker; the first one tells of all steps, in its thread.
     /// @return false where the work is to stop
     bool step(std::size_t worker) {
-        constexpr auto often = std::chrono::milliseconds(50);
         const auto done = static_cast<double>(++done_);
-        if (worker == 0 && keep_going_ && Clock::now() - told_ > often) {
-            told_ = Clock::now();
+        if (worker == 0 && keep_going_) {
             stopped_ = !keep_going_(done / total_);
         }
         return !stopped_;
@@ -48,13 +45,10 @@ class Progress {
     bool is_stopped() const { return stopped_; }
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     const KeepGoing& keep_going_;
     double total_;
     std::atomic<std::uint64_t> done_{0};
     std::atomic<bool> stopped_{false};
-    Clock::time_point told_ = Clock::now();
 };
 
 /// Calls work(worker, i) for each i below count until one returns false: each worker takes the next
