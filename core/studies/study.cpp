@@ -188,7 +188,8 @@ std::vector<double> spaced(double from, double to, int steps) {
 
 std::uint64_t Study::points() const {
     if (method != Method::grid) {
-        return samples;
+        constexpr std::uint64_t of_expansion = 16'384;  // for its percentiles
+        return method == Method::linear ? of_expansion : samples;
     }
     std::uint64_t product = 1;
     for (const Varied& varied : vary) {

@@ -77,7 +77,8 @@ struct Study {
     std::uint64_t samples = 10'000;  ///< 1 … 10⁹
     std::uint64_t seed = 1;          ///< 0 … 2⁶³ − 1
 
-    std::uint64_t points() const;  ///< the samples, or of a grid its points
+    /// The samples, or the points of a grid or of an expansion.
+    std::uint64_t points() const;
     friend bool operator==(const Study&, const Study&) = default;
 };
 

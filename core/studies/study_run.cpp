@@ -13,17 +13,10 @@ namespace {
 
 constexpr std::uint64_t max_first_samples = 4096;
 constexpr std::uint64_t pairs_per_input = 16'384;
-/// Points at which an expansion is asked for its percentiles.
-constexpr std::uint64_t expansion_points = 16'384;
-
-/// Samples, points of a grid, or points of an expansion.
-std::uint64_t points_of(const Study& study) {
-    return study.method == Method::linear ? expansion_points : study.points();
-}
 
 /// Of these the bins are made.
 std::uint64_t first_samples_of(const Study& study) {
-    return study.method == Method::grid ? 0 : std::min(points_of(study), max_first_samples);
+    return study.method == Method::grid ? 0 : std::min(study.points(), max_first_samples);
 }
 
 /// Stands for the scene once it is expanded.
@@ -256,7 +249,7 @@ std::uint64_t Part::size() const {
 
 Part empty_part(Study study, std::uint64_t shard, std::uint64_t shards) {
     Part part{.origin = {}, .study = std::move(study), .shard = shard, .shards = shards};
-    const std::uint64_t points = points_of(part.study);
+    const std::uint64_t points = part.study.points();
     const std::uint64_t count = std::min(points, max_blocks);
     const std::size_t inputs = part.study.vary.size();
     const std::size_t watched = part.study.watch.size();
