@@ -234,7 +234,17 @@ QWidget* ToleranceWindow::makeAnswers() {
     row->addStretch();
     column->addLayout(row);
 
-    table_ = new ResultTable(tr("Results with tolerances"), holder);
+    const auto newTable = [](const QString& name, QWidget* parent) {
+        auto* table = new ResultTable(name, parent);
+        constexpr int shownRows = 4;
+        table->setShownRows(shownRows);
+        constexpr int minHeight = 60;  // further rows scroll
+        table->setMinimumHeight(Theme::withText(minHeight));
+        table->setWordWrap(true);  // names that begin alike are distinguished by their ends
+        growRowsWithWords(*table);
+        return table;
+    };
+    table_ = newTable(tr("Results with tolerances"), holder);
     table_->setColumns(foundResults(*model_).columns);
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
         histogram_->resetZoom();  // to part of another result
@@ -245,12 +255,6 @@ QWidget* ToleranceWindow::makeAnswers() {
             sweep_->chooseResult(answers->values[place].pointer);
         }
     });
-    constexpr int shownRows = 4;
-    table_->setShownRows(shownRows);
-    constexpr int minHeight = 60;  // further rows scroll
-    table_->setMinimumHeight(Theme::withText(minHeight));
-    table_->setWordWrap(true);  // names that begin alike are distinguished by their ends
-    growRowsWithWords(*table_);
     column->addWidget(table_, 2);
     words_ = captionLabel({}, holder);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -263,8 +267,7 @@ QWidget* ToleranceWindow::makeAnswers() {
     auto* tabs = new QTabWidget(holder);
     tabs->setElideMode(Qt::ElideNone);
     tabs->setUsesScrollButtons(true);
-    tornado_ = new ResultTable(tr("Main contributors"), tabs);
-    tornado_->stretchColumn(tornadoBar);
+    tornado_ = newTable(tr("Main contributors"), tabs);
     tabs->addTab(tornado_, tr("Main contributors"));
     histogram_ = new PlotView(tabs);
     tabs->addTab(histogram_, tr("Histogram"));

@@ -219,7 +219,7 @@ Results tornado(const StudyModel& study, const StudyAnswer* value) {
     for (const StudyAnswer::Share& share : shares) {
         const auto percent = [](double part) { return fixedDecimals(100.0 * part, 1, QLocale()); };
         const auto bar = [](double part, QChar sign) {
-            constexpr double whole = 32.0;  // signs
+            constexpr double whole = 24.0;  // signs
             return QString(qRound(whole * part), sign);
         };
         const double alone = std::min(share.alone, 1.0);
