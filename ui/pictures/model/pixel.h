@@ -2,7 +2,6 @@
 
 #include <QImage>
 #include <QRect>
-#include <QRgb>
 
 class QPainter;
 
@@ -34,21 +33,5 @@ class PaintedPixels {
     QImage* picture_ = nullptr;
     QImage layer_;
 };
-
-/// A premultiplied colour over another.
-inline QRgb laidOver(QRgb colour, QRgb below) {
-    constexpr QRgb pair = 0xff00ff;
-    const QRgb rest = 255 - (colour >> 24);
-    const auto dimmed = [rest](QRgb channels) {
-        const QRgb part = channels * rest;
-        return ((part + ((part >> 8) & pair) + 0x800080) >> 8) & pair;
-    };
-    return colour + (dimmed(below & pair) | dimmed((below >> 8) & pair) << 8);
-}
-
-/// A share from 0 to 1 in the 256 steps of a pixel's channel: for each pixel, so without a call.
-inline int pixelStep(double share) {
-    return static_cast<int>(255.0 * share + 0.5);  // NOLINT(bugprone-incorrect-roundings)
-}
 
 }  // namespace ravnoves

@@ -251,8 +251,9 @@ class LineBrush {
                         }
                     }
                     const double covered = part * std::clamp(reach - away, 0.0, 1.0);
-                    cover[column] =
-                        std::max(cover[column], static_cast<std::uint8_t>(pixelStep(covered)));
+                    // NOLINTNEXTLINE(bugprone-incorrect-roundings): for each pixel, without a call
+                    const auto step = static_cast<std::uint8_t>(255.0 * covered + 0.5);
+                    cover[column] = std::max(cover[column], step);
                 }
             };
             int begin = right;
@@ -263,7 +264,7 @@ class LineBrush {
                 stop = std::max(begin, wholeWithin(inner.to + shift + 1.0, right));
             }
             markEnds(left, begin);
-            // As pixelStep() has it, but cut off as a whole number, and below by what is there.
+            // The same, but cut off as a whole number, and below by what is there.
             const double maximum = 255.0 * reach + 0.5;
             const double across = 255.0 * (y * ux + zero * uy);
             const double perColumn = 255.0 * uy;
