@@ -42,21 +42,13 @@ std::uint32_t shareOf(std::uint32_t cover, std::uint32_t alpha) {
     return alpha == 255 ? cover : (cover * alpha + 127) / 255;
 }
 
-// For each row and pixel: one instruction each, where a branch would go another way at each edge.
-double greater(double a, double b) {
-    return a > b ? a : b;
-}
-double less(double a, double b) {
-    return a < b ? a : b;
-}
-
 /// A whole number within 0 and `most`, cut off.
 int wholeWithin(double value, double maximum) {
-    return static_cast<int>(less(greater(value, 0.0), maximum));
+    return static_cast<int>(std::clamp(value, 0.0, maximum));
 }
 /// The same of the smallest whole number that is no less.
 int wholeUpWithin(double value, double maximum) {
-    const double within = less(greater(value, 0.0), maximum);
+    const double within = std::clamp(value, 0.0, maximum);
     const int whole = static_cast<int>(within);
     return whole + static_cast<int>(whole < within);
 }
@@ -68,7 +60,7 @@ struct Span {
 constexpr Span everywhere{-1e9, 1e9};
 
 Span spanOf(double one, double other) {
-    return {less(one, other), greater(one, other)};
+    return {std::min(one, other), std::max(one, other)};
 }
 
 /// How far a line that reaches so far to its sides reaches past an end.
@@ -219,9 +211,9 @@ class LineBrush {
             const double side = zero + y * sidePerRow;
             const double shift = y * endPerRow;
             const int left =
-                wholeUpWithin(greater(side - sideRoom, ends.from + shift - tiny), clip_.width());
+                wholeUpWithin(std::max(side - sideRoom, ends.from + shift - tiny), clip_.width());
             const int right =
-                wholeWithin(less(side + sideRoom, ends.to + shift + tiny) + 1.0, clip_.width());
+                wholeWithin(std::min(side + sideRoom, ends.to + shift + tiny) + 1.0, clip_.width());
             if (left >= right) {
                 continue;
             }
@@ -236,17 +228,9 @@ class LineBrush {
                     double part = 1.0;
                     const double over = std::max(-at, at - length);
                     if (over > -0.5) {
-                        const bool atStart = at < 0.5 * length;
-                        const QPointF* const next = atStart ? before : after;
-                        if (next == nullptr) {
+                        if ((at < 0.5 * length ? before : after) == nullptr) {
                             part = std::clamp(0.5 - over, 0.0, 1.0);
-                        } else if (over > 0.0) {
-                            // Round in the wedge between both; beyond it is the neighbour's.
-                            const QPointF& joint = atStart ? from : to;
-                            const QPointF there = QPointF(column, row) + QPointF(0.5, 0.5) - joint;
-                            if (QPointF::dotProduct(there, *next - joint) > 0.0) {
-                                continue;
-                            }
+                        } else if (over > 0.0) {  // round
                             away = std::sqrt(away * away + over * over);
                         }
                     }
@@ -310,15 +294,11 @@ class LineBrush {
     std::vector<std::pair<int, int>> touched_;
 };
 
-bool canBrush(const QPainter& painter) {
+bool canBrush(const QPainter& painter, const QPen& pen) {
     return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
-           painter.opacity() == 1.0;
-}
-
-bool canBrush(const QPen& pen, double scale) {
-    return pen.style() != Qt::NoPen && pen.dashOffset() == 0.0 &&
+           painter.opacity() == 1.0 && pen.style() != Qt::NoPen && pen.dashOffset() == 0.0 &&
            pen.brush().style() == Qt::SolidPattern && pen.capStyle() != Qt::RoundCap &&
-           pen.widthF() * scale >= 1.0;
+           pen.widthF() * painter.deviceTransform().m11() >= 1.0;
 }
 
 /// A way of this length along a line.
@@ -356,45 +336,31 @@ void paintLine(QPainter& painter, const QPolygonF& line) {
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
     const QTransform& transform = painter.deviceTransform();
     const double scale = transform.m11();
-    const bool canBrushAll =
-        canBrush(painter) && std::all_of(all.begin(), all.end(), [&](const LinesOfPen& each) {
-            return canBrush(each.pen, scale);
-        });
-    if (!canBrushAll && all.size() > 1) {
-        for (const LinesOfPen& each : all) {
-            paintLines(painter, {each});
-        }
-        return;
-    }
-    if (!canBrushAll) {
-        const QPen before = painter.pen();
-        for (const LinesOfPen& each : all) {
-            painter.setPen(each.pen);
-            for (const QPolygonF& line : each.lines) {
+    const QPen before = painter.pen();
+    for (const auto& [pen, lines] : all) {
+        if (!canBrush(painter, pen)) {
+            painter.setPen(pen);
+            for (const QPolygonF& line : lines) {
                 painter.drawPolyline(line);
             }
+            painter.setPen(before);
+            continue;
         }
-        painter.setPen(before);
-        return;
-    }
-    std::vector<LinesOfPen> onDevice;
-    QRectF seen;
-    for (const LinesOfPen& each : all) {
-        LinesOfPen& mapped = onDevice.emplace_back(LinesOfPen{each.pen, {}});
-        const double room = each.pen.widthF() * scale + 1.0;
-        for (const QPolygonF& line : each.lines) {
+        const double width = pen.widthF() * scale;
+        std::vector<QPolygonF> onDevice;
+        QRectF seen;
+        for (const QPolygonF& line : lines) {
             if (line.size() > 1) {
-                mapped.lines.push_back(transform.map(line));
-                seen |= mapped.lines.back().boundingRect().adjusted(-room, -room, room, room);
+                onDevice.push_back(transform.map(line));
+                seen |= onDevice.back().boundingRect().adjusted(-width - 1.0, -width - 1.0,
+                                                                width + 1.0, width + 1.0);
             }
         }
-    }
-    PaintedPixels pixels(painter, seen);
-    LineBrush brush(pixels.picture(), pixels.seen().translated(-pixels.corner()));
-    for (LinesOfPen& each : onDevice) {
-        const double width = each.pen.widthF() * scale;
-        const double squareEnd = each.pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
-        for (QPolygonF& line : each.lines) {
+        PaintedPixels pixels(painter, seen);
+        LineBrush brush(pixels.picture(), pixels.seen().translated(-pixels.corner()));
+        const bool isSquare = pen.capStyle() == Qt::SquareCap;
+        const double squareEnd = isSquare ? 0.5 * width : 0.0;
+        for (QPolygonF& line : onDevice) {
             line.translate(-pixels.corner());
             const qsizetype last = line.size() - 1;
             const QPointF atStart = along(line[0], line[1], squareEnd);
@@ -402,15 +368,13 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
             line.front() -= atStart;
             line.back() += atEnd;
         }
-        QList<qreal> dashes =
-            each.pen.style() == Qt::SolidLine ? QList<qreal>() : each.pen.dashPattern();
+        QList<qreal> dashes = pen.style() == Qt::SolidLine ? QList<qreal>() : pen.dashPattern();
         for (qsizetype i = 0; i < dashes.size(); ++i) {
             // Square ends are those of each dash.
-            const double more =
-                each.pen.capStyle() == Qt::SquareCap ? (i % 2 == 0 ? 1.0 : -1.0) : 0.0;
+            const double more = isSquare ? (i % 2 == 0 ? 1.0 : -1.0) : 0.0;
             dashes[i] = std::max(0.0, dashes[i] + more) * width;
         }
-        brush.draw(each.lines, each.pen.color(), width, dashes);
+        brush.draw(onDevice, pen.color(), width, dashes);
     }
 }
 

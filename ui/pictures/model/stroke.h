@@ -25,8 +25,7 @@ struct LinesOfPen {
     QPen pen;
     std::vector<QPolygonF> lines;
 };
-/// One after the other, onto the pixels of the picture, else into one layer that is laid over it
-/// once.
+/// One after the other.
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
 
 /// Lines at 45° that fill an area, those that may meet a rectangle.
