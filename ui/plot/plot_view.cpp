@@ -64,8 +64,7 @@ bool fitPicture(QImage& picture, const QWidget& widget) {
 
 }  // namespace
 
-PlotView::PlotView(QWidget* parent)
-    : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
+PlotView::PlotView(QWidget* parent) : QWidget(parent) {
     [[maybe_unused]] static const bool isAccessible =
         (QAccessible::installFactory(makeAccessible), true);
     guardWheel();
@@ -362,18 +361,18 @@ void PlotView::layoutHeader() {
 void PlotView::layoutChart() {
     layoutHeader();
     data_.locale = locale();
-    PlotPainter::Margins maximum;
+    PlotMargins maximum;
     for (PlotView* other : stack_) {
         if (!other->data_.x.spec.title.isEmpty()) {
             data_.xName = other->data_.x.spec.title;
         }
         if (!other->isHidden() && other->width() == width()) {
             other->data_.locale = other->locale();
-            const PlotPainter::Margins theirs = other->painter_->margins(other->size());
+            const PlotMargins theirs = plotMargins(other->data_, other->size());
             maximum = {std::max(maximum.left, theirs.left), std::max(maximum.right, theirs.right)};
         }
     }
-    painter_->layout(size(), maximum, axesStale_);
+    layOutPlot(data_, size(), maximum, axesStale_);
     // What stands over or under this one follows, unless it is to be laid out anyway.
     for (PlotView* other : stack_) {
         if (!other->chartStale_ && other->width() == width() &&
@@ -428,7 +427,7 @@ void PlotView::drawChart(QPainter& painter) {
     }
     paintAxes(painter);
     paintCurves(painter);
-    painter_->paintOverlay(painter);
+    paintPlotOverlay(painter, data_);
     paintTop(painter);
     data_.cursorX = cursor;
     data_.pointRead = point;
@@ -455,12 +454,12 @@ QString PlotView::dataAsCsv() const {
 
 void PlotView::paintAxes(QPainter& painter) {
     painter.fillRect(QRectF(rect()), Theme::instance().panel());
-    painter_->paintAxes(painter);
+    paintPlotAxes(painter, data_);
     paintGround(painter);
 }
 
 void PlotView::paintCurves(QPainter& painter) {
-    painter_->paintCurves(painter);
+    paintPlotCurves(painter, data_);
     paintOverCurves(painter);
 }
 
@@ -483,7 +482,7 @@ void PlotView::paintCurvesPicture() {
 }
 
 void PlotView::paintMoving(QPainter& painter) {
-    painter_->paintOverlay(painter);
+    paintPlotOverlay(painter, data_);
     paintTop(painter);
     if (hasFocus()) {
         // The same where it is painted again: beside title and legend, which rest.

@@ -9,14 +9,13 @@
 namespace ravnoves {
 
 class LegendItem;
-class PlotPainter;
 struct CsvFormat;
 
 /// One chart: a title, a legend whose entries switch curves, curves over a common x axis, marks, a
 /// line at the present value, and a cursor that reads the curves.
 ///
-/// PlotData has the content, PlotPainter paints it; this is the widget: legend, layers, mouse and
-/// keys. Axes and grid are drawn once into a picture and redrawn only when range, size or theme
+/// PlotData has the content, plot_painter.h paints it; this is the widget: legend, layers, mouse
+/// and keys. Axes and grid are drawn once into a picture and redrawn only when range, size or theme
 /// change, the curves into a second one over it; marks, present value and cursor are painted on
 /// top, so moving them is cheap.
 ///
@@ -167,8 +166,7 @@ class PlotView : public QWidget {
 
     PlotData data_;
     std::unique_ptr<PlotData> referenceData_;  ///< of the figure's reference
-    std::unique_ptr<PlotPainter> painter_;
-    std::vector<LegendItem*> legend_;  ///< one for each curve, or null
+    std::vector<LegendItem*> legend_;          ///< one for each curve, or null
     LegendItem* referenceItem_ = nullptr;
     LegendItem* spreadItem_ = nullptr;
     QList<PlotView*> stack_;  ///< those whose charts are aligned with this one

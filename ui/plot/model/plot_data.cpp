@@ -381,7 +381,7 @@ std::vector<QPolygonF> PlotData::stretchesOf(const PlotCurve& curve) const {
         std::vector<QPointF> pixels;
         pixels.reserve(to - from);
         for (; from < to; ++from) {
-            pixels.push_back(toPixel(curve.x[from], curve.y[from]));
+            pixels.push_back(pixelOf(curve, from));
         }
         stretches.push_back(thinPolyline(pixels));
     }
@@ -451,7 +451,7 @@ std::optional<PlotData::Point> PlotData::nearestPoint(const QPointF& pixel, doub
     for (std::size_t c = 0; c < curves.size(); ++c) {
         const PlotCurve& curve = curves[c];
         for (std::size_t i = 0; curve.isReadable() && i < curve.x.size(); ++i) {
-            const QPointF away = toPixel(curve.x[i], curve.y[i]) - pixel;
+            const QPointF away = pixelOf(curve, i) - pixel;
             const double distance = std::hypot(away.x(), away.y());
             if (distance < reach) {
                 reach = distance;

@@ -6,6 +6,7 @@
 #include <QRectF>
 #include <QString>
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -144,14 +145,16 @@ struct PlotData {
     QLocale locale = {};
     std::vector<PlotCurve> curves = {};
     PlotScale x = {};
-    PlotScale left = {};                ///< the y axis
-    QRectF area = {};                   ///< the chart's inner rectangle, pixels
-    double headerHeight = 0.0;          ///< title and legend
-    double flatRoom = 0.0;              ///< pixels for the title of the x axis
-    double uprightRoom = 0.0;           ///< the same of the y axis
-    bool equalScale = false;            ///< one unit is the same length on both axes
-    bool zoomed = false;                ///< the scales are the user's
-    static inline bool steady = false;  ///< something is dragged: scales of all plots rest
+    PlotScale left = {};                 ///< the y axis
+    QSizeF size = {};                    ///< of the picture, pixels
+    QRectF area = {};                    ///< the chart's inner rectangle
+    double headerHeight = 0.0;           ///< title and legend
+    double flatRoom = 0.0;               ///< pixels for the title of the x axis
+    double uprightRoom = 0.0;            ///< the same of the y axis
+    std::array<double, 10> placed = {};  ///< sizes and scales of the lines made last
+    bool equalScale = false;             ///< one unit is the same length on both axes
+    bool zoomed = false;                 ///< the scales are the user's
+    static inline bool steady = false;   ///< something is dragged: scales of all plots rest
 
     QImage image = {};
     QRectF imageValues = {};
@@ -194,6 +197,10 @@ struct PlotData {
     bool liesOnAnother(const PlotCurve& curve) const;
 
     QPointF toPixel(double valueX, double valueY) const;
+    QPointF pixelOf(const PlotCurve& curve, std::size_t point) const {
+        return toPixel(curve.x[point], curve.y[point]);
+    }
+    double across(double value) const { return toPixel(value, left.low).x(); }
     double xAt(double pixelX) const;
     double yAt(double pixelY) const;
 
