@@ -158,17 +158,14 @@ void PlotView::dressLegend(std::size_t number) {
 
 void PlotView::showReference(const Figure* figure, const QString& name) {
     if (figure == nullptr) {
-        if (referenceData_ != nullptr) {
-            data_.reference = nullptr;
-            referenceData_.reset();
+        if (std::exchange(data_.reference, nullptr) != nullptr) {
             showLegend();
             chartChanged();
         }
         return;
     }
-    referenceData_ = std::make_unique<PlotData>();
-    referenceData_->show(*figure);
-    data_.reference = referenceData_.get();
+    data_.reference = std::make_shared<PlotData>();
+    data_.reference->show(*figure);
     data_.referenceName = name;
     if (referenceItem_ == nullptr) {
         referenceItem_ = addSwitch(data_.referenceShown, plot::Shape::Line);

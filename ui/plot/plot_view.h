@@ -165,8 +165,7 @@ class PlotView : public QWidget {
     void pick(const QPointF& position);
 
     PlotData data_;
-    std::unique_ptr<PlotData> referenceData_;  ///< of the figure's reference
-    std::vector<LegendItem*> legend_;          ///< one for each curve, or null
+    std::vector<LegendItem*> legend_;  ///< one for each curve, or null
     LegendItem* referenceItem_ = nullptr;
     LegendItem* spreadItem_ = nullptr;
     QList<PlotView*> stack_;  ///< those whose charts are aligned with this one

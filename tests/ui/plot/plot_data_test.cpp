@@ -6,6 +6,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 
 #include "pictures/model/stroke.h"
 #include "plot/model/label_places.h"
@@ -134,7 +135,7 @@ TEST(PlotData, AFixedAxisHoldsTheReference) {
     plot.left.fix(-1.0, 1.0);
     plot.curve(0).set({}, {}, plot.x, plot.left);
     reference.curve(0).set({0.0, 1.0}, {-5.0, 800.0}, reference.x, reference.left);
-    plot.reference = &reference;
+    plot.reference = std::make_shared<PlotData>(reference);
     plot.fitScales();
     EXPECT_LT(plot.left.low, -5.0);
     EXPECT_GT(plot.left.high, 800.0);
@@ -398,7 +399,7 @@ TEST_F(PlotDataTest, CsvHoldsTheReferenceThatIsDrawn) {
     curve().style.name = QStringLiteral("M");
     PlotData before = data;
     before.curve(0).set({1, 1.5}, {7, 8}, before.x, before.left);
-    data.reference = &before;
+    data.reference = std::make_shared<PlotData>(before);
     data.referenceName = QStringLiteral("A");
     const QStringList rows = data.csv(CsvFormat(QLocale::c())).split(QLatin1Char('\n'));
     ASSERT_GE(rows.size(), 4);

@@ -353,21 +353,15 @@ void PlotData::thinCurves() {
 }
 
 std::vector<QPolygonF> PlotData::shadesOf(const PlotCurve& curve) const {
-    std::vector<QPolygonF> shades;
-    std::size_t from = 0;
-    for (std::size_t next = 0; curve.isLine() && next <= curve.starts.size(); ++next) {
-        const std::size_t to = next < curve.starts.size() ? curve.starts[next] : curve.x.size();
-        std::vector<QPointF> low;
-        std::vector<QPointF> high;
-        for (; from < to; ++from) {
-            const auto [minimum, maximum] = spreadAt(curve, from);
-            low.push_back(toPixel(curve.x[from], minimum));
-            high.push_back(toPixel(curve.x[from], maximum));
-        }
-        QPolygonF shade = thinPolyline(high);
-        const QPolygonF foot = thinPolyline(low);
-        std::copy(foot.rbegin(), foot.rend(), std::back_inserter(shade));
-        shades.push_back(std::move(shade));
+    PlotCurve low = curve;
+    PlotCurve high = curve;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        std::tie(low.y[i], high.y[i]) = spreadAt(curve, i);
+    }
+    std::vector<QPolygonF> shades = stretchesOf(high);
+    const std::vector<QPolygonF> feet = stretchesOf(low);
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+        std::copy(feet[i].rbegin(), feet[i].rend(), std::back_inserter(shades[i]));
     }
     return shades;
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "plot/model/plot_scale.h"
@@ -169,7 +170,7 @@ struct PlotData {
     bool spreadShown = true;
     QString fadedText = {};
     /// The same plot of a reference; each curve is under the one of the same word.
-    const PlotData* reference = nullptr;
+    std::shared_ptr<PlotData> reference = {};
     QString referenceName = {};
     bool referenceShown = true;
 
