@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "numerics/constants.h"
-#include "pictures/model/pixel.h"
 #include "pictures/model/stroke.h"
 
 namespace ravnoves {

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QLineF>
 #include <QMap>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QPainterPath>
 #include <QRect>
@@ -16,8 +17,6 @@
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include "pictures/model/pixel.h"
 
 namespace ravnoves {
 
@@ -294,6 +293,63 @@ class LineBrush {
     std::vector<std::pair<int, int>> touched_;
 };
 
+/// The pixels that a box covers on the device of a painter, to be written to: of the picture that
+/// it paints on, or of a clear layer, which is laid over anything else in the end.
+class PaintedPixels {
+  public:
+    PaintedPixels(QPainter& painter, const QRectF& box) : painter_(painter) {
+        // Of a widget the picture of its window, where only its own place may change.
+        QPaintDevice* const device = painter.paintEngine()->paintDevice();
+        const QRegion place = painter.paintEngine()->systemClip();
+        QRectF clip(0.0, 0.0, device->width(), device->height());
+        bool isSimple = place.rectCount() <= 1;
+        if (!place.isEmpty()) {
+            clip &= place.boundingRect();
+        }
+        if (painter.hasClipping()) {
+            // Of a small box a layer: reading the clip takes as long.
+            constexpr double small = 64.0 * 64.0;
+            isSimple = isSimple && box.width() * box.height() >= small &&
+                       painter.clipRegion().rectCount() == 1;
+            clip &= painter.deviceTransform().mapRect(painter.clipBoundingRect());
+        }
+        auto* const image =
+            device->devType() == QInternal::Image ? static_cast<QImage*>(device) : nullptr;
+        if (image != nullptr && isSimple &&
+            painter.compositionMode() == QPainter::CompositionMode_SourceOver &&
+            (image->format() == QImage::Format_RGB32 ||
+             image->format() == QImage::Format_ARGB32_Premultiplied)) {
+            picture_ = image;
+            clip = clip.toRect();  // as Qt does
+        }
+        seen_ = (box & clip).toAlignedRect();
+        if (picture_ == nullptr) {
+            layer_ = QImage(seen_.size(), QImage::Format_ARGB32_Premultiplied);
+            layer_.fill(Qt::transparent);
+        }
+    }
+    ~PaintedPixels() {
+        if (!layer_.isNull()) {
+            const QTransform& transform = painter_.deviceTransform();
+            layer_.setDevicePixelRatio(transform.m11());
+            painter_.drawImage(transform.inverted().map(QPointF(seen_.topLeft())), layer_);
+        }
+    }
+    PaintedPixels(const PaintedPixels&) = delete;
+    PaintedPixels& operator=(const PaintedPixels&) = delete;
+
+    QImage& picture() { return picture_ != nullptr ? *picture_ : layer_; }
+    QPoint corner() const { return picture_ != nullptr ? QPoint() : seen_.topLeft(); }
+    /// What of the box may be written to, on the device, where the picture begins at the corner.
+    const QRect& seen() const { return seen_; }
+
+  private:
+    QPainter& painter_;
+    QRect seen_;
+    QImage* picture_ = nullptr;
+    QImage layer_;
+};
+
 bool canBrush(const QPainter& painter, const QPen& pen) {
     return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
            painter.opacity() == 1.0 && pen.style() != Qt::NoPen && pen.dashOffset() == 0.0 &&
@@ -309,6 +365,13 @@ QPointF along(const QPointF& from, const QPointF& to, double length) {
 }
 
 }  // namespace
+
+bool paintsPixels(const QPainter& painter) {
+    const QTransform& transform = painter.deviceTransform();
+    return painter.paintEngine()->type() == QPaintEngine::Raster &&
+           transform.type() <= QTransform::TxScale && transform.m11() > 0.0 &&
+           transform.m11() == transform.m22();
+}
 
 std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box) {
     double from = 0.0;

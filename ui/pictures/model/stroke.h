@@ -12,6 +12,9 @@ class QPainterPath;
 
 namespace ravnoves {
 
+/// Whether a painter paints pixels, moved and scaled at most, and alike in both directions.
+bool paintsPixels(const QPainter& painter);
+
 /// Draws a polyline with the painter's pen. Onto a screen by a brush of our own, where the pen is
 /// no narrower than a pixel: Qt's stroker takes longer. Anywhere else, and with round ends, it is a
 /// polyline of Qt's.
