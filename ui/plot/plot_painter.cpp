@@ -147,8 +147,10 @@ void paintAxis(QPainter& painter, const PlotData& data, const PlotScale& scale, 
     }
     painter.setPen(theme.mutedText());
     // In the middle of the chart, but beyond its ends rather than cut; its unit is at its end.
-    const double room = flat ? data.flatRoom : data.uprightRoom;
     const double from = flat ? titleGap : data.headerHeight;
+    // Not down into the row of the other title.
+    const double below = flat || data.x.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap();
+    const double room = (flat ? data.size.width() : data.size.height()) - from - below - titleGap;
     const QString title = metrics.elidedText(scale.spec.title, Qt::ElideMiddle, room);
     const double half = 0.5 * textWidth(font, title) + 1.0;
     const double middle = std::max(
@@ -235,12 +237,6 @@ void layOutPlot(PlotData& data, const QSizeF& size, const PlotMargins& minimum, 
     const double right = std::max(own.right, minimum.right);
     data.area = QRectF(left, data.headerHeight + topGap(),
                        std::max(20.0, data.size.width() - left - right), heightOfArea(data));
-    data.flatRoom = data.size.width() - 2.0 * titleGap;
-    // Not down into the row of the other title.
-    const double below = data.x.spec.title.isEmpty()
-                             ? 0.0
-                             : QFontMetricsF(Theme::font(Theme::smallSize)).height() + labelGap();
-    data.uprightRoom = data.size.height() - data.headerHeight - below - titleGap;
     if (data.equalScale) {
         data.endWithData();
         data.equalise();

@@ -5,7 +5,6 @@
 #include <QAccessibleWidget>
 #include <QApplication>
 #include <QEvent>
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMetaMethod>
 #include <QMouseEvent>
@@ -23,7 +22,6 @@
 #include "plot/legend_item.h"
 #include "plot/plot_painter.h"
 #include "text/csv_format.h"
-#include "text/text_width.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -488,24 +486,6 @@ void PlotView::paintMoving(QPainter& painter) {
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
-}
-
-const PlotScale* PlotView::axisAt(const QPoint& at) const {
-    const QRectF area = plotArea();
-    return at.y() > area.bottom() ? &data_.x : at.x() < area.left() ? &data_.left : nullptr;
-}
-
-bool PlotView::event(QEvent* event) {
-    // The title of an axis that has too little room is whole in its tip.
-    const auto* asked =
-        event->type() == QEvent::ToolTip ? static_cast<QHelpEvent*>(event) : nullptr;
-    const PlotScale* axis = asked != nullptr ? axisAt(asked->pos()) : nullptr;
-    if (axis != nullptr && textWidth(Theme::font(Theme::smallSize), axis->spec.title) >
-                               (axis == &data_.x ? data_.flatRoom : data_.uprightRoom)) {
-        QToolTip::showText(asked->globalPos(), axis->spec.title, this);
-        return true;
-    }
-    return QWidget::event(event);
 }
 
 void PlotView::mousePressEvent(QMouseEvent* event) {

@@ -112,7 +112,6 @@ class PlotView : public QWidget {
     /// All but title and legend.
     QRect chartRect() const { return rect().adjusted(0, static_cast<int>(keyTop()), 0, 0); }
 
-    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -159,8 +158,6 @@ class PlotView : public QWidget {
     void moveCursorTo(double x);
     /// Its container can be scrolled.
     bool scrollsWithin() const;
-    /// The axis beside a place of the plot; null where none is.
-    const PlotScale* axisAt(const QPoint& at) const;
     void readPoint(const std::optional<PlotData::Point>& point);
     void pick(const QPointF& position);
 

@@ -150,8 +150,6 @@ struct PlotData {
     QSizeF size = {};                    ///< of the picture, pixels
     QRectF area = {};                    ///< the chart's inner rectangle
     double headerHeight = 0.0;           ///< title and legend
-    double flatRoom = 0.0;               ///< pixels for the title of the x axis
-    double uprightRoom = 0.0;            ///< the same of the y axis
     std::array<double, 10> placed = {};  ///< sizes and scales of the lines made last
     bool equalScale = false;             ///< one unit is the same length on both axes
     bool zoomed = false;                 ///< the scales are the user's
