@@ -12,7 +12,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSet>
 #include <QStyledItemDelegate>
 #include <QToolTip>
 #include <QWhatsThis>
@@ -345,7 +344,7 @@ QStringList ResultTable::differenceAt(int row, int column) const {
 QStringList ResultTable::below(int row, int column) const {
     QStringList lines = differenceAt(row, column);
     lines.removeAll(QString());
-    if (room_ != Room::Little && lines.size() > 1) {
+    if (!isNarrow_ && lines.size() > 1) {
         lines = {lines.join(QStringLiteral("  "))};
     }
     if (const QString spread = spreadAt(row, column); !spread.isEmpty()) {
@@ -371,9 +370,8 @@ void ResultTable::showReference(const Results* results, const QString& name) {
 
 int ResultTable::wantedWidth(int column) const {
     const bool isName = stretched_.contains(column);
-    int width = header_->isHidden()
-                    ? 0
-                    : header_->widthOf(headings_[column].heading, room_ != Room::Plenty || isName);
+    int width =
+        header_->isHidden() ? 0 : header_->widthOf(headings_[column].heading, isNarrow_ || isName);
     for (int row = 0; row < rowCount(); ++row) {
         const QTableWidgetItem* cell = item(row, column);
         if (cell == nullptr) {
@@ -394,7 +392,7 @@ void ResultTable::fitColumns() {
     // that was too large once, as a slip of the keys makes it, they do not scroll for ever.
     const bool isSameWidth = std::exchange(fittedTo_, room) == room;
     const bool grows = isSameWidth && header_->length() <= room;
-    room_ = isSameWidth ? room_ : Room::Plenty;
+    isNarrow_ = isSameWidth && isNarrow_;
     const int minimum = Theme::withText(minOfWords);
     QList<int> widths(columnCount());
     int sum = 0;
@@ -415,10 +413,10 @@ void ResultTable::fitColumns() {
             sum += width;
         }
         // Differences are below each other before they shorten the words.
-        if (sum + (reference_ ? cut : 0) <= room || room_ == Room::Little) {
+        if (sum + (reference_ ? cut : 0) <= room || isNarrow_) {
             break;
         }
-        room_ = static_cast<Room>(static_cast<int>(room_) + 1);
+        isNarrow_ = true;
     }
     // Takes what is over, where that is enough: of each its share, rounded up.
     const auto narrow = [&](const auto& spareOf) {
@@ -488,18 +486,11 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
 QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     const CsvFormat csv;
     // In the whole table, what is below its numbers gets columns behind them.
-    QSet<int> compared;
-    QSet<int> spread;
-    for (const ResultRow& row : selectionOnly ? ResultRows() : rows_) {
-        for (int column = 0; column < row.size(); ++column) {
-            if (row[column].fromOther) {
-                compared << column;
-            }
-            if (!row[column].spread.isEmpty()) {
-                spread << column;
-            }
-        }
-    }
+    const auto hasBelow = [&](int column, auto isThere) {
+        return !selectionOnly && std::any_of(rows_.begin(), rows_.end(), [&](const ResultRow& row) {
+            return isThere(row.value(column));
+        });
+    };
     QString text;
     for (int row = selectionOnly ? 0 : -1; row < rowCount(); ++row) {  // the headings first
         QStringList line;
@@ -509,14 +500,14 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
             }
             const QString& heading = headings_[column].heading;
             line << (row < 0 ? heading : rows_[row].value(column).text);
-            if (compared.contains(column)) {
+            if (hasBelow(column, [](const auto& cell) { return cell.fromOther.has_value(); })) {
                 const QString delta = QStringLiteral("Δ ") + heading;
                 const QStringList parts = row < 0
                                               ? QStringList{delta, delta + QStringLiteral(", %")}
                                               : differenceAt(row, column);
                 line << parts.value(0) << parts.value(1);
             }
-            if (spread.contains(column)) {
+            if (hasBelow(column, [](const auto& cell) { return !cell.spread.isEmpty(); })) {
                 line << (row < 0 ? QStringLiteral("± ") + heading : spreadAt(row, column));
             }
         }
