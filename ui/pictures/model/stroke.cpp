@@ -188,8 +188,7 @@ class LineBrush {
         const double sideways = reach * std::abs(ux);
         const int first = wholeUpWithin(rows.from - sideways - 0.5, clip_.height());
         const int beyond = wholeWithin(rows.to + sideways + 0.5, clip_.height());
-        // Columns within reach of its two sides, between its ends, and where the distance from it
-        // is all: nearer to an end than this, the end tells. They move with the rows.
+        // Columns within reach of its two sides and between its ends, which move with the rows.
         const bool isUpright = std::abs(ux) <= tiny;
         const bool isLevel = std::abs(uy) <= tiny;
         const double perUx = isUpright ? 0.0 : 1.0 / ux;
@@ -198,13 +197,9 @@ class LineBrush {
         const double sideRoom = tiny + (isLevel ? everywhere.to : std::abs(reach * perUy));
         const double sidePerRow = ux * perUy;
         const double endPerRow = -uy * perUx;
-        const double innerStart = before != nullptr ? 0.0 : 0.5;
-        const double innerEnd = length - (after != nullptr ? 0.0 : 0.5);
-        const auto columns = [&](double start, double end) {
-            return isUpright ? everywhere : spanOf(zero + start * perUx, zero + end * perUx);
-        };
-        const Span ends = columns(-beforeStart, length + beyondEnd);
-        const Span inner = columns(innerStart, innerEnd);
+        const Span ends =
+            isUpright ? everywhere
+                      : spanOf(zero - beforeStart * perUx, zero + (length + beyondEnd) * perUx);
         for (int row = first; row < beyond; ++row) {
             const double y = row + 0.5 - from.y();
             const double side = zero + y * sidePerRow;
@@ -219,44 +214,24 @@ class LineBrush {
             auto& touched = touched_[static_cast<std::size_t>(row)];
             touched = {std::min(touched.first, left), std::max(touched.second, right)};
             std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
-            const auto markEnds = [&](int begin, int stop) {
-                for (int column = begin; column < stop; ++column) {
-                    const double x = column - zero;
-                    const double at = x * ux + y * uy;
-                    double away = std::abs(y * ux - x * uy);
-                    double part = 1.0;
-                    const double over = std::max(-at, at - length);
-                    if (over > -0.5) {
-                        if ((at < 0.5 * length ? before : after) == nullptr) {
-                            part = std::clamp(0.5 - over, 0.0, 1.0);
-                        } else if (over > 0.0) {  // round
-                            away = std::sqrt(away * away + over * over);
-                        }
+            for (int column = left; column < right; ++column) {
+                const double x = column - zero;
+                const double at = x * ux + y * uy;
+                double away = std::abs(y * ux - x * uy);
+                double part = 1.0;
+                const double over = std::max(-at, at - length);
+                if (over > -0.5) {
+                    if ((at < 0.5 * length ? before : after) == nullptr) {
+                        part = std::clamp(0.5 - over, 0.0, 1.0);
+                    } else if (over > 0.0) {  // round
+                        away = std::sqrt(away * away + over * over);
                     }
-                    const double covered = part * std::clamp(reach - away, 0.0, 1.0);
-                    // NOLINTNEXTLINE(bugprone-incorrect-roundings): for each pixel, without a call
-                    const auto step = static_cast<std::uint8_t>(255.0 * covered + 0.5);
-                    cover[column] = std::max(cover[column], step);
                 }
-            };
-            int begin = right;
-            int stop = right;
-            if (innerEnd > innerStart &&
-                (!isUpright || (y * uy > innerStart && y * uy < innerEnd))) {
-                begin = std::max(left, wholeUpWithin(inner.from + shift, right));
-                stop = std::max(begin, wholeWithin(inner.to + shift + 1.0, right));
+                const double covered = part * std::clamp(reach - away, 0.0, 1.0);
+                // NOLINTNEXTLINE(bugprone-incorrect-roundings): for each pixel, without a call
+                const auto step = static_cast<std::uint8_t>(255.0 * covered + 0.5);
+                cover[column] = std::max(cover[column], step);
             }
-            markEnds(left, begin);
-            // The same, but cut off as a whole number, and below by what is there.
-            const double maximum = 255.0 * reach + 0.5;
-            const double across = 255.0 * (y * ux + zero * uy);
-            const double perColumn = 255.0 * uy;
-            for (int column = begin; column < stop; ++column) {
-                const int step = static_cast<int>(maximum - std::abs(across - column * perColumn));
-                cover[column] =
-                    static_cast<std::uint8_t>(std::max<int>(cover[column], std::min(step, 255)));
-            }
-            markEnds(stop, right);
         }
     }
 
