@@ -89,14 +89,16 @@ std::vector<std::uint8_t>& coverOf(const QSize& size) {
 /// Draws lines wider than a pixel into a picture, antialiased, by the distance of each pixel from
 /// the line. Qt makes the outline of such a line and fills it: ten times the work, for the same
 /// picture but for the last shades of its edges. Ends are flat, bends round; where a line crosses
-/// itself it is no darker. All in pixels of the picture.
+/// itself it is no darker. All in pixels of the device.
 class LineBrush {
   public:
-    /// @param picture  RGB32 or premultiplied ARGB32, written to until the brush is destroyed
-    /// @param clip  pixels of the picture that may change
-    LineBrush(QImage& picture, const QRect& clip)
+    /// @param picture  RGB32 or premultiplied ARGB32
+    /// @param clip  pixels of the device that may change
+    /// @param at  where they begin in the picture
+    LineBrush(QImage& picture, const QRect& clip, const QPoint& at)
         : picture_(picture),
-          clip_(clip & picture.rect()),
+          clip_(clip),
+          at_(at),
           cover_(coverOf(clip_.size())),
           touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}) {}
 
@@ -239,13 +241,13 @@ class LineBrush {
         const auto paint = static_cast<std::uint32_t>(colour.rgb());
         const auto alpha = static_cast<std::uint32_t>(colour.alpha());
         for (int row = 0; row < clip_.height(); ++row) {
-            auto& touched = touched_[static_cast<std::size_t>(row)];
+            const auto& touched = touched_[static_cast<std::size_t>(row)];
             if (touched.first >= touched.second) {
                 continue;
             }
             std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
-            auto* pixels = reinterpret_cast<std::uint32_t*>(picture_.scanLine(clip_.top() + row)) +
-                           clip_.left();
+            auto* pixels =
+                reinterpret_cast<std::uint32_t*>(picture_.scanLine(at_.y() + row)) + at_.x();
             for (int eight = touched.first; eight < touched.second; eight += 8) {
                 // Most are not on any line; of eight only those between the first and the last one.
                 const auto covers = qFromLittleEndian<std::uint64_t>(cover + eight);
@@ -256,74 +258,44 @@ class LineBrush {
                     cover[column] = 0;
                 }
             }
-            touched = {clip_.width(), 0};
         }
     }
 
     QImage& picture_;
     QRect clip_;
+    QPoint at_;
     double half_ = 0.5;                 ///< of the width
     std::vector<std::uint8_t>& cover_;  ///< of each pixel of the clip, 255 is all; and eight more
     /// Of each row of the clip, the pixels touched: from, to beyond the last.
     std::vector<std::pair<int, int>> touched_;
 };
 
-/// The pixels that a box covers on the device of a painter, to be written to: of the picture that
-/// it paints on, or of a clear layer, which is laid over anything else in the end.
-class PaintedPixels {
-  public:
-    PaintedPixels(QPainter& painter, const QRectF& box) : painter_(painter) {
-        // Of a widget the picture of its window, where only its own place may change.
-        QPaintDevice* const device = painter.paintEngine()->paintDevice();
-        const QRegion place = painter.paintEngine()->systemClip();
-        QRectF clip(0.0, 0.0, device->width(), device->height());
-        bool isSimple = place.rectCount() <= 1;
-        if (!place.isEmpty()) {
-            clip &= place.boundingRect();
-        }
-        if (painter.hasClipping()) {
-            // Of a small box a layer: reading the clip takes as long.
-            constexpr double small = 64.0 * 64.0;
-            isSimple = isSimple && box.width() * box.height() >= small &&
-                       painter.clipRegion().rectCount() == 1;
-            clip &= painter.deviceTransform().mapRect(painter.clipBoundingRect());
-        }
-        auto* const image =
-            device->devType() == QInternal::Image ? static_cast<QImage*>(device) : nullptr;
-        if (image != nullptr && isSimple &&
-            painter.compositionMode() == QPainter::CompositionMode_SourceOver &&
-            (image->format() == QImage::Format_RGB32 ||
-             image->format() == QImage::Format_ARGB32_Premultiplied)) {
-            picture_ = image;
-            clip = clip.toRect();  // as Qt does
-        }
-        seen_ = (box & clip).toAlignedRect();
-        if (picture_ == nullptr) {
-            layer_ = QImage(seen_.size(), QImage::Format_ARGB32_Premultiplied);
-            layer_.fill(Qt::transparent);
-        }
+/// The picture that a painter paints on, where the pixels of a box may be written to at once; null:
+/// they need a layer. The box is cut to what may change.
+QImage* pictureOf(const QPainter& painter, QRectF& box) {
+    // Of a widget the picture of its window, where only its own place may change.
+    QPaintDevice* const device = painter.paintEngine()->paintDevice();
+    const QRegion place = painter.paintEngine()->systemClip();
+    QRectF clip(0.0, 0.0, device->width(), device->height());
+    bool isSimple = place.rectCount() <= 1 && device->devType() == QInternal::Image &&
+                    painter.compositionMode() == QPainter::CompositionMode_SourceOver;
+    if (!place.isEmpty()) {
+        clip &= place.boundingRect();
     }
-    ~PaintedPixels() {
-        if (!layer_.isNull()) {
-            const QTransform& transform = painter_.deviceTransform();
-            layer_.setDevicePixelRatio(transform.m11());
-            painter_.drawImage(transform.inverted().map(QPointF(seen_.topLeft())), layer_);
-        }
+    if (painter.hasClipping()) {
+        // Of a small box a layer: reading the clip takes as long.
+        constexpr double small = 64.0 * 64.0;
+        isSimple = isSimple && box.width() * box.height() >= small &&
+                   painter.clipRegion().rectCount() == 1;
+        clip &= painter.deviceTransform().mapRect(painter.clipBoundingRect());
     }
-    PaintedPixels(const PaintedPixels&) = delete;
-    PaintedPixels& operator=(const PaintedPixels&) = delete;
-
-    QImage& picture() { return picture_ != nullptr ? *picture_ : layer_; }
-    QPoint corner() const { return picture_ != nullptr ? QPoint() : seen_.topLeft(); }
-    /// What of the box may be written to, on the device, where the picture begins at the corner.
-    const QRect& seen() const { return seen_; }
-
-  private:
-    QPainter& painter_;
-    QRect seen_;
-    QImage* picture_ = nullptr;
-    QImage layer_;
-};
+    auto* const image = isSimple ? static_cast<QImage*>(device) : nullptr;
+    const bool isKnown =
+        image != nullptr && (image->format() == QImage::Format_RGB32 ||
+                             image->format() == QImage::Format_ARGB32_Premultiplied);
+    box &= isKnown ? QRectF(clip.toRect()) : clip;  // as Qt does
+    return isKnown ? image : nullptr;
+}
 
 bool canBrush(const QPainter& painter, const QPen& pen) {
     return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
@@ -394,12 +366,18 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
                                                                 width + 1.0, width + 1.0);
             }
         }
-        PaintedPixels pixels(painter, seen);
-        LineBrush brush(pixels.picture(), pixels.seen().translated(-pixels.corner()));
+        QImage* const picture = pictureOf(painter, seen);
+        const QRect clip = seen.toAlignedRect();
+        QImage layer;
+        if (picture == nullptr) {
+            layer = QImage(clip.size(), QImage::Format_ARGB32_Premultiplied);
+            layer.fill(Qt::transparent);
+        }
+        LineBrush brush(picture != nullptr ? *picture : layer, clip,
+                        picture != nullptr ? clip.topLeft() : QPoint());
         const bool isSquare = pen.capStyle() == Qt::SquareCap;
         const double squareEnd = isSquare ? 0.5 * width : 0.0;
         for (QPolygonF& line : onDevice) {
-            line.translate(-pixels.corner());
             const qsizetype last = line.size() - 1;
             const QPointF atStart = along(line[0], line[1], squareEnd);
             const QPointF atEnd = along(line[last - 1], line[last], squareEnd);
@@ -413,6 +391,8 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
             dashes[i] = std::max(0.0, dashes[i] + more) * width;
         }
         brush.draw(onDevice, pen.color(), width, dashes);
+        layer.setDevicePixelRatio(scale);
+        painter.drawImage(transform.inverted().map(QPointF(clip.topLeft())), layer);
     }
 }
 
