@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMap>
 #include <QMenuBar>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -27,6 +28,7 @@ QChar mnemonicOf(const QString& text) {
 }
 
 struct Labelled {
+    QWidget* place;
     QString text;
     std::function<void(const QString&)> show;
 };
@@ -42,30 +44,6 @@ QWidget* placeOf(QWidget* widget, QWidget* page) {
         widget = around;
     }
     return page;
-}
-
-void separateIn(QWidget* place, const std::vector<std::pair<QWidget*, Labelled>>& texts,
-                const std::vector<std::pair<QWidget*, QWidget*>>& tabs, QString used) {
-    std::vector<const Labelled*> late;
-    for (const auto& [where, each] : texts) {
-        if (const QChar letter = mnemonicOf(each.text); where != place || letter.isNull()) {
-            continue;
-        } else if (used.contains(letter)) {
-            late.push_back(&each);
-        } else {
-            used += letter;
-        }
-    }
-    for (const Labelled* each : late) {
-        QString bare = each->text;
-        bare.remove(mnemonicAt(bare), 1);
-        each->show(bare.contains(QLatin1Char('&')) ? bare : withMnemonic(bare, used));
-    }
-    for (const auto& [tab, around] : tabs) {
-        if (around == place) {
-            separateIn(tab, texts, tabs, used);
-        }
-    }
 }
 
 }  // namespace
@@ -87,33 +65,49 @@ QString withMnemonic(QString label, QString& used) {
 }
 
 void separateMnemonics(QWidget* page) {
-    std::vector<std::pair<QWidget*, Labelled>> texts;
-    std::vector<std::pair<QWidget*, QWidget*>> tabs;  // each page of tabs, and what they are in
+    std::vector<Labelled> texts;
+    std::vector<QWidget*> places{page};  // and each page of tabs, after what it is in
     for (QWidget* each : page->findChildren<QWidget*>()) {
         QWidget* const place = placeOf(each, page);
         if (place == each) {
-            tabs.emplace_back(each, placeOf(each->parentWidget(), page));
+            places.push_back(each);
         }
         if (auto* label = qobject_cast<QLabel*>(each); label != nullptr && label->buddy()) {
             const auto show = [label](const QString& text) { label->setText(text); };
-            texts.push_back({place, {label->text(), show}});
+            texts.push_back({place, label->text(), show});
         } else if (auto* button = qobject_cast<QAbstractButton*>(each)) {
             const auto show = [button](const QString& text) { button->setText(text); };
-            texts.push_back({place, {button->text(), show}});
+            texts.push_back({place, button->text(), show});
         } else if (auto* bar = qobject_cast<QTabBar*>(each)) {
             for (int i = 0; i < bar->count(); ++i) {
                 const auto show = [bar, i](const QString& text) { bar->setTabText(i, text); };
-                texts.push_back({place, {bar->tabText(i), show}});
+                texts.push_back({place, bar->tabText(i), show});
             }
         }
     }
-    QString used;
+    QMap<QWidget*, QString> letters;
     if (const auto* window = qobject_cast<QMainWindow*>(page->window())) {
         for (const QAction* menu : window->menuBar()->actions()) {
-            used += mnemonicOf(menu->text());
+            letters[page] += mnemonicOf(menu->text());
         }
     }
-    separateIn(page, texts, tabs, used);
+    for (QWidget* place : places) {
+        QString used = letters.value(place == page ? page : placeOf(place->parentWidget(), page));
+        std::vector<const Labelled*> late;
+        for (const Labelled& each : texts) {
+            const QChar letter = mnemonicOf(each.text);
+            if (each.place != place || letter.isNull()) {
+                continue;
+            }
+            used.contains(letter) ? late.push_back(&each) : void(used += letter);
+        }
+        for (const Labelled* each : late) {
+            QString bare = each->text;
+            bare.remove(mnemonicAt(bare), 1);
+            each->show(bare.contains(QLatin1Char('&')) ? bare : withMnemonic(bare, used));
+        }
+        letters[place] = used;
+    }
 }
 
 }  // namespace ravnoves
