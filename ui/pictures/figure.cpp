@@ -191,7 +191,7 @@ bool FigureMenu::eventFilter(QObject* watched, QEvent* event) {
             return false;
         }
         case QEvent::Paint:
-            if (isFramed_ && figure_->hasFocus()) {
+            if (figure_->hasFocus()) {
                 watched->event(event);
                 QPainter painter(figure_);
                 if (!drawsForFile(painter, *figure_)) {
@@ -216,7 +216,6 @@ void makeFigure(QWidget* widget, FigureMenu::Data data) {
         widget->setProperty("isFigure", true);
         if (widget->focusPolicy() == Qt::NoFocus) {
             widget->setFocusPolicy(Qt::TabFocus);
-            menu->setFramed();
         }
     }
     if (data) {

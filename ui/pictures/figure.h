@@ -19,7 +19,7 @@ struct CsvFormat;
 
 /// What one takes along from a figure, as its context menu (right click, Menu key, Shift+F10): its
 /// picture as a file or on the clipboard, and the numbers that it shows, where there are any;
-/// before them the figure's own actions.
+/// before them the figure's own actions. On the screen a figure with the focus has a frame.
 class FigureMenu : public QObject {
     Q_OBJECT
 
@@ -33,8 +33,6 @@ class FigureMenu : public QObject {
     FigureMenu(QWidget* figure, QString file, Draw draw);
 
     void setData(Data data) { data_ = std::move(data); }
-    /// Shows on the screen where the focus is, for a figure that does not itself.
-    void setFramed() { isFramed_ = true; }
 
     /// True where it has numbers to show, but now none.
     bool isEmpty() const;
@@ -54,7 +52,6 @@ class FigureMenu : public QObject {
     QString file_;
     Draw draw_;
     Data data_;
-    bool isFramed_ = false;
 };
 
 /// Declares a widget a picture of the result: a report draws it, as plots, and it has their menu.

@@ -408,7 +408,8 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
             paintCurves(painter);
         }
     }
-    paintMoving(painter);
+    paintPlotOverlay(painter, data_);
+    paintTop(painter);
 }
 
 void PlotView::drawChart(QPainter& painter) {
@@ -473,18 +474,6 @@ void PlotView::paintCurvesPicture() {
                     static_cast<std::size_t>(axesPicture_.sizeInBytes()));
         QPainter painter(&picture_);
         paintCurves(painter);
-    }
-}
-
-void PlotView::paintMoving(QPainter& painter) {
-    paintPlotOverlay(painter, data_);
-    paintTop(painter);
-    if (hasFocus()) {
-        // The same where it is painted again: beside title and legend, which rest.
-        painter.setRenderHint(QPainter::Antialiasing, false);
-        painter.setPen(QPen(Theme::instance().accent(), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
 }
 

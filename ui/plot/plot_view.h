@@ -150,8 +150,6 @@ class PlotView : public QWidget {
     void paintCurves(QPainter& painter);
     void paintAxesPicture();
     void paintCurvesPicture();
-    /// What moves, the mark of the focus last.
-    void paintMoving(QPainter& painter);
     void drawChart(QPainter& painter);
     void zoom(double factorX, double factorY, const QPointF& about);
     void moveCursor(const QPointF& position);
