@@ -185,13 +185,10 @@ class NamedRow final : public QWidget {
     }
 
   protected:
-    void resizeEvent(QResizeEvent* event) override {
-        QWidget::resizeEvent(event);
-        arrange();
-    }
     bool event(QEvent* event) override {
         const bool done = QWidget::event(event);
-        if (event->type() == QEvent::LayoutRequest) {  // choices were added
+        // Choices may have been added.
+        if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
             arrange();
         }
         return done;

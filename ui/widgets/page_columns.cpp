@@ -99,7 +99,8 @@ void PageColumns::placeTop(bool overAll) {
     }
 }
 
-void PageColumns::arrange() {
+void PageColumns::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
     const Fold fold = foldFor(width());
     if (std::exchange(fold_, fold) == fold) {
         return;
@@ -131,11 +132,6 @@ void PageColumns::place(QWidget* part, const QString& title, int column, int sha
         part->show();
     }
     grid_->setColumnStretch(column, share);
-}
-
-void PageColumns::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    arrange();
 }
 
 QSize PageColumns::minimumSizeHint() const {

@@ -43,7 +43,6 @@ class PageColumns : public QWidget {
   private:
     enum class Fold { None, Results, Plots };
 
-    void arrange();
     Fold foldFor(int width) const;
     /// @param share  of its column in the grid; 0: it is a tab
     void place(QWidget* part, const QString& title, int column, int share);

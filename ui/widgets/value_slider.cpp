@@ -124,10 +124,6 @@ QSize ValueSlider::minimumSizeHint() const {
 
 void ValueSlider::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    arrange();
-}
-
-void ValueSlider::arrange() {
     const bool folded = width() < widthInOneRow();
     if (folded == folded_) {
         return;

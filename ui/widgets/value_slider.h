@@ -64,7 +64,6 @@ class ValueSlider : public QWidget {
     void setBesideTyped(double value);
 
   private:
-    void arrange();
     int widthInOneRow() const;
     void edit(double value);
     void showRange();
