@@ -6,6 +6,7 @@
 #include <QMap>
 #include <QMenuBar>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QTabWidget>
 #include <functional>
 #include <vector>
