@@ -223,9 +223,18 @@ class LineBrush {
                 double part = 1.0;
                 const double over = std::max(-at, at - length);
                 if (over > -0.5) {
-                    if ((at < 0.5 * length ? before : after) == nullptr) {
+                    const bool atStart = at < 0.5 * length;
+                    const QPointF* const next = atStart ? before : after;
+                    if (next == nullptr) {
                         part = std::clamp(0.5 - over, 0.0, 1.0);
-                    } else if (over > 0.0) {  // round
+                    } else if (over > 0.0) {
+                        // Round in the wedge between both; beyond it is the neighbour's, which may
+                        // end soon.
+                        const QPointF& joint = atStart ? from : to;
+                        const QPointF there = QPointF(column, row) + QPointF(0.5, 0.5) - joint;
+                        if (QPointF::dotProduct(there, *next - joint) > 0.0) {
+                            continue;
+                        }
                         away = std::sqrt(away * away + over * over);
                     }
                 }
