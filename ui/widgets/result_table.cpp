@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSet>
 #include <QStyledItemDelegate>
 #include <QToolTip>
 #include <QWhatsThis>
@@ -486,11 +487,18 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
 QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     const CsvFormat csv;
     // In the whole table, what is below its numbers gets columns behind them.
-    const auto hasBelow = [&](int column, auto isThere) {
-        return !selectionOnly && std::any_of(rows_.begin(), rows_.end(), [&](const ResultRow& row) {
-            return isThere(row.value(column));
-        });
-    };
+    QSet<int> compared;
+    QSet<int> spread;
+    for (const ResultRow& row : selectionOnly ? ResultRows() : rows_) {
+        for (int column = 0; column < row.size(); ++column) {
+            if (row[column].fromOther) {
+                compared << column;
+            }
+            if (!row[column].spread.isEmpty()) {
+                spread << column;
+            }
+        }
+    }
     QString text;
     for (int row = selectionOnly ? 0 : -1; row < rowCount(); ++row) {  // the headings first
         QStringList line;
@@ -500,14 +508,14 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
             }
             const QString& heading = headings_[column].heading;
             line << (row < 0 ? heading : rows_[row].value(column).text);
-            if (hasBelow(column, [](const auto& cell) { return cell.fromOther.has_value(); })) {
+            if (compared.contains(column)) {
                 const QString delta = QStringLiteral("Δ ") + heading;
                 const QStringList parts = row < 0
                                               ? QStringList{delta, delta + QStringLiteral(", %")}
                                               : differenceAt(row, column);
                 line << parts.value(0) << parts.value(1);
             }
-            if (hasBelow(column, [](const auto& cell) { return !cell.spread.isEmpty(); })) {
+            if (spread.contains(column)) {
                 line << (row < 0 ? QStringLiteral("± ") + heading : spreadAt(row, column));
             }
         }
