@@ -29,8 +29,6 @@ struct PlotTitle {
 struct PlotMargins {
     double left = 0.0;
     double right = 0.0;
-
-    bool operator==(const PlotMargins&) const = default;
 };
 
 // A plot on any device: the static layer (axes), the moving one (curves) and the top one apart.

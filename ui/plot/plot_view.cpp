@@ -395,10 +395,18 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         paintCurves(painter);
         pictureStale_ = true;
     } else {
-        paintAxesPicture();
+        if (fitPicture(axesPicture_, *this)) {
+            QPainter axes(&axesPicture_);
+            paintAxes(axes);
+            pictureStale_ = true;
+        }
         pictureStale_ = pictureStale_ || moves;
-        if (!moves) {
-            paintCurvesPicture();
+        if (!moves && std::exchange(pictureStale_, false)) {
+            fitPicture(picture_, *this);
+            std::memcpy(picture_.bits(), axesPicture_.constBits(),
+                        static_cast<std::size_t>(axesPicture_.sizeInBytes()));
+            QPainter curves(&picture_);
+            paintCurves(curves);
         }
         if (const double ratio = devicePixelRatioF(); ratio != std::floor(ratio)) {
             painter.fillRect(rect().adjusted(-1, -1, 1, 1), Theme::instance().panel());
@@ -457,24 +465,6 @@ void PlotView::paintAxes(QPainter& painter) {
 void PlotView::paintCurves(QPainter& painter) {
     paintPlotCurves(painter, data_);
     paintOverCurves(painter);
-}
-
-void PlotView::paintAxesPicture() {
-    if (fitPicture(axesPicture_, *this)) {
-        QPainter painter(&axesPicture_);
-        paintAxes(painter);
-        pictureStale_ = true;
-    }
-}
-
-void PlotView::paintCurvesPicture() {
-    if (std::exchange(pictureStale_, false)) {
-        fitPicture(picture_, *this);
-        std::memcpy(picture_.bits(), axesPicture_.constBits(),
-                    static_cast<std::size_t>(axesPicture_.sizeInBytes()));
-        QPainter painter(&picture_);
-        paintCurves(painter);
-    }
 }
 
 void PlotView::mousePressEvent(QMouseEvent* event) {

@@ -148,8 +148,6 @@ class PlotView : public QWidget {
     /// Title, grid and axes, over the ground.
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter);
-    void paintAxesPicture();
-    void paintCurvesPicture();
     void drawChart(QPainter& painter);
     void zoom(double factorX, double factorY, const QPointF& about);
     void moveCursor(const QPointF& position);
