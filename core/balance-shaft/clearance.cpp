@@ -67,50 +67,14 @@ double margin_within(const PlaceLimits& limits, double x, double y) {
     return margin;
 }
 
-namespace {
-
-/// True where some place may keep all limits.
-bool are_possible(const PlaceLimits& limits) {
-    const double half = angle_span(limits) / 2.0;
-    const double middle = limits.shaft_angle_from.value_or(0.0) + half;
-    // How far limit and angles let a place be to a side that is at an angle.
-    const auto reach = [&](double to_side, double side) {
-        const bool is_behind = std::abs(std::remainder(side - middle, two_pi)) >= half + pi / 2.0;
-        return is_behind ? std::min(to_side, 0.0) : to_side;
+Message contradiction(const PlaceLimits& limits) {
+    const auto cross = [](const std::optional<double>& from, const std::optional<double>& to) {
+        return from && to && *from > *to;
     };
-    const double left = reach(-limits.left.value_or(-unlimited), -pi / 2.0);
-    const double right = reach(limits.right.value_or(unlimited), pi / 2.0);
-    const double bottom = reach(-limits.bottom.value_or(-unlimited), pi);
-    const double top = reach(limits.top.value_or(unlimited), 0.0);
-    const double nearest =
-        std::hypot(std::max({-left, -right, 0.0}), std::max({-bottom, -top, 0.0}));
-    const double farthest = std::hypot(std::max(left, right), std::max(bottom, top));
-    const double min_l = limits.centre_distance_min.value_or(0.0);
-    const double max_l = limits.centre_distance_max.value_or(unlimited);
-    constexpr double rounding = 1e-9;
-    return -left <= right && -bottom <= top && min_l <= max_l &&
-           nearest <= max_l * (1.0 + rounding) && farthest >= min_l * (1.0 - rounding);
-}
-
-}  // namespace
-
-Message contradiction(PlaceLimits limits) {
-    if (are_possible(limits)) {
-        return {};
-    }
-    // Those without which the others contradict each other still are not named.
-    for (const auto limit :
-         {&PlaceLimits::shaft_angle_from, &PlaceLimits::left, &PlaceLimits::right,
-          &PlaceLimits::bottom, &PlaceLimits::top, &PlaceLimits::centre_distance_min,
-          &PlaceLimits::centre_distance_max}) {
-        PlaceLimits less = limits;
-        (less.*limit).reset();
-        if (limit == &PlaceLimits::shaft_angle_from) {
-            less.shaft_angle_to.reset();
-        }
-        limits = are_possible(less) ? limits : less;
-    }
-    return {Text::tr("The limits contradict each other: %1."), named(limits)};
+    return cross(limits.centre_distance_min, limits.centre_distance_max) ||
+                   cross(limits.left, limits.right) || cross(limits.bottom, limits.top)
+               ? Message(Text::tr("The limits contradict each other: %1."), named(limits))
+               : Message();
 }
 
 double distance_from_cylinder(const FrontView& view, double x, double y) {

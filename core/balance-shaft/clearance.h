@@ -32,9 +32,8 @@ double margin_within(const PlaceLimits& limits, double x, double y);
 /// than the first.
 double angle_span(const PlaceLimits& limits);
 
-/// Names limits that contradict each other: no place is to the sides that the angles reach, or as
-/// near or far as l must be. Empty where some place is within all, but for a few of angle limits.
-Message contradiction(PlaceLimits limits);
+/// Names the limits where a minimum is above its maximum; else empty.
+Message contradiction(const PlaceLimits& limits);
 
 /// The feasible angles of the shaft: every clearance is at least the view's, the gears mesh (the
 /// tip circle reaches the pitch circle, and not the other gear's root circle, 1.25 modules below

@@ -118,7 +118,7 @@ struct EnvelopeSizes {
 };
 
 /// Limits on the place of the shaft's axis, for example by a wall of the crankcase; empty means no
-/// limit. They may contradict each other: then no place is feasible (contradiction()).
+/// limit. They may contradict each other: then no place is feasible.
 struct PlaceLimits {
     std::optional<double> centre_distance_min = {};  ///< m
     std::optional<double> centre_distance_max = {};  ///< m

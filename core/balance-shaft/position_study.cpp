@@ -215,7 +215,6 @@ std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const 
     const double by_rms = 1.0 / std::max(rms_without_, rounding_share);
     constexpr int sizes = 10;
     constexpr double same = front_gap;
-    constexpr double narrowest = 0.02;
     constexpr int weights = 5;
     for (int i = 0; i < weights; ++i) {
         const double part = i / (weights - 1.0);
@@ -235,43 +234,20 @@ std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const 
         }
         add(*largest);
         const double size = envelope(places_.view(), largest->place).area();
-        // Between the smallest and the size there: where the criterion falls most from one size to
-        // the next, another is set between them.
-        struct Level {
-            double size;
-            double value;
-            Eigen::Vector2d place;
-        };
-        std::vector<Level> levels{
-            {smallest->value, question.criterion(smallest->place).value, smallest->place},
-            {size, largest->value, largest->place}};
-        for (int k = 0; k < sizes; ++k) {
-            std::size_t widest = levels.size();
-            double maximum = 0.0;
-            for (std::size_t n = 0; n + 1 < levels.size(); ++n) {
-                const double width = levels[n + 1].size - levels[n].size;
-                const double fall = levels[n].value - levels[n + 1].value;
-                const double score = fall / (levels.front().value - levels.back().value) +
-                                     width / (size - smallest->value);
-                if (width > narrowest * (size - smallest->value) && fall > 0.0 && score > maximum) {
-                    maximum = score;
-                    widest = n;
-                }
-            }
-            if (widest == levels.size()) {
-                break;
-            }
-            const double level = k == 0 ? smallest->value * (1.0 + same)
-                                        : (levels[widest].size + levels[widest + 1].size) / 2.0;
-            question.limits = {{of_size.criterion, level}};
-            question.start = levels[widest].place;
+        // The criterion falls most beside the smallest box, so sizes are nearest to one another
+        // there.
+        question.start = smallest->place;
+        for (int k = 0; k < sizes && size > smallest->value * (1.0 + same); ++k) {
+            const double part_of = static_cast<double>(k) / sizes;
+            question.limits = {
+                {of_size.criterion, std::max(std::lerp(smallest->value, size, part_of * part_of),
+                                             smallest->value * (1.0 + same))}};
             const auto found = search_places(places_, question);
             if (!found) {
                 break;
             }
             add(*found);
-            levels.insert(levels.begin() + static_cast<std::ptrdiff_t>(widest) + 1,
-                          {level, found->value, found->place});
+            question.start = found->place;
         }
     }
     // What another beats, or equals within rounding, is left out.
