@@ -242,39 +242,22 @@ InertiaCheck check_inertia(const Input& input) {
     if (!*check.consistent) {
         check.warning = {Text::tr("Torque and masses do not match: the torque fits %1 or %2."),
                          fitting_speed, fitting_mass};
-        check.text = {
-            Text::tr("Torque and masses do not match, so the best angles are not meaningful: "
-                     "mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque "
-                     "fits %4 or %5."),
-            moment(fit.scale),
-            number(fit.lambda),
-            moment(check.entered),
-            fitting_speed,
-            fitting_mass};
     } else if (difference > doubt) {
         check.warning = {Text::tr("Torque and masses differ by %1: the torque fits %2 or %3."),
                          in_percent(difference), fitting_speed, fitting_mass};
-        check.text = {
-            Text::tr("Torque and masses differ by %1, more than the uncertainty of the check, %2: "
-                     "mⱼ r² ω² is %3 in the torque (r/L = %4), %5 by the input; the torque fits "
-                     "%6 or %7."),
-            in_percent(difference),
-            in_percent(doubt),
-            moment(fit.scale),
-            number(fit.lambda),
-            moment(check.entered),
-            fitting_speed,
-            fitting_mass};
-    } else {
-        check.text = {
-            Text::tr("Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the "
-                     "input; difference %4, tolerance %5."),
-            moment(fit.scale),
-            number(fit.lambda),
-            moment(check.entered),
-            in_percent(difference),
-            Number{100.0 * InertiaCheck::tolerance, units::percent, 2}};
     }
+    const Message found =
+        *check.consistent
+            ? Message(Text::tr("Torque and masses differ by %1; the uncertainty of the check is "
+                               "%2."),
+                      in_percent(difference), in_percent(doubt))
+            : Message(Text::tr("Torque and masses do not match, so the best angles are not "
+                               "meaningful."));
+    check.text = {Text{"%1 %2"}, found,
+                  Message(Text::tr("mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the "
+                                   "torque fits %4 or %5."),
+                          moment(fit.scale), number(fit.lambda), moment(check.entered),
+                          fitting_speed, fitting_mass)};
     return check;
 }
 

@@ -2853,20 +2853,20 @@
         <translation>Момент и шатун не соответствуют друг другу, и лучшие углы не имеют смысла: r/L в моменте %1, по данным %2; моменту отвечает длина шатуна %3.</translation>
     </message>
     <message>
-        <source>Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; difference %4, tolerance %5.</source>
-        <translation>Момент и массы соответствуют друг другу: mⱼ r² ω² в моменте %1 (r/L = %2), по данным %3; разница %4, допуск %5.</translation>
+        <source>mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque fits %4 or %5.</source>
+        <translation>mⱼ r² ω² в моменте %1 (r/L = %2), по данным %3; моменту отвечает %4 или %5.</translation>
     </message>
     <message>
-        <source>Torque and masses do not match, so the best angles are not meaningful: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque fits %4 or %5.</source>
-        <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла: mⱼ r² ω² в моменте %1 (r/L = %2), по данным %3; моменту отвечает %4 или %5.</translation>
+        <source>Torque and masses do not match, so the best angles are not meaningful.</source>
+        <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла.</translation>
     </message>
     <message>
         <source>Torque and masses differ by %1: the torque fits %2 or %3.</source>
         <translation>Момент и массы расходятся на %1: моменту отвечает %2 или %3.</translation>
     </message>
     <message>
-        <source>Torque and masses differ by %1, more than the uncertainty of the check, %2: mⱼ r² ω² is %3 in the torque (r/L = %4), %5 by the input; the torque fits %6 or %7.</source>
-        <translation>Момент и массы расходятся на %1, больше погрешности проверки, %2: mⱼ r² ω² в моменте %3 (r/L = %4), по данным %5; моменту отвечает %6 или %7.</translation>
+        <source>Torque and masses differ by %1; the uncertainty of the check is %2.</source>
+        <translation>Момент и массы расходятся на %1; погрешность проверки %2.</translation>
     </message>
     <message>
         <source>The torque is computed from the masses and the speed: no check is necessary.</source>
