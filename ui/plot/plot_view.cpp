@@ -243,6 +243,14 @@ void PlotView::setCurveShown(int number, bool shown) {
 void PlotView::setImage(const QImage& image, const QRectF& values) {
     data_.image = image;
     data_.imageValues = values;
+    // One that ends within what was there to zoom out to is shown whole.
+    const auto ends = [](double size, const PlotScale& scale) {
+        return size < (scale.home.second - scale.home.first) * (1.0 - 1e-9);
+    };
+    if (data_.equalScale && !image.isNull() &&
+        (ends(values.width(), data_.x) || ends(values.height(), data_.left))) {
+        data_.zoomed = false;
+    }
     chartChanged();
 }
 

@@ -449,6 +449,26 @@ TEST_F(ShaftMapTest, WhatIsShownRestsDuringADragAndFollowsAfterIt) {
     EXPECT_TRUE(test::comes([&] { return map->map()->view == view; }));
 }
 
+TEST_F(ShaftMapTest, ASmallerMapFillsThePanelThoughTheLargerOneWasZoomed) {
+    map->goTo(Position::at(4.0 * map->map()->view, angle()));
+    wait();
+    plot->grab();
+    QTest::keyClick(plot, Qt::Key_Plus);
+    QTest::keyClick(plot, Qt::Key_Plus);
+    ASSERT_TRUE(plot->isZoomed());
+    best->click();
+    wait();
+    plot->grab();
+    const QSizeF filled = plot->plotArea().size();
+    plot->resetZoom();
+    plot->grab();
+    EXPECT_EQ(filled, plot->plotArea().size());
+    // Another one of the same size stays zoomed.
+    QTest::keyClick(plot, Qt::Key_Plus);
+    model->setCriterion(Criterion::rms);
+    EXPECT_TRUE(plot->isZoomed());
+}
+
 TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
     const QString worse = QStringLiteral("Worse than without a shaft");
     EXPECT_FALSE(map->answer().contains(worse));
