@@ -44,7 +44,8 @@ class EditableTable : public QAbstractTableModel {
     static constexpr int TroubleRole = Qt::UserRole + 1;
 
     /// A new row below a row; below the last one for −1. Tables of fixed length have none.
-    virtual void insertRowBelow(int /*row*/) {}
+    /// @return the new row; −1: none
+    virtual int insertRowBelow(int /*row*/) { return -1; }
     virtual void removeRowRange(int /*first*/, int /*count*/) {}
     /// The columns of a block that have something in them, from its first.
     static int widthOf(const std::vector<QStringList>& cells);

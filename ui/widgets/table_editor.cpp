@@ -113,10 +113,10 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     addTool(QStringLiteral("copy"), tr("Copy (Ctrl+C)"), [this] { copy(); });
     addTool(QStringLiteral("plus"), addTip, [this] {
         const QModelIndex at = view_->currentIndex();
-        table_->insertRowBelow(at.row());
         // What is typed next is the new row's.
-        view_->setCurrentIndex(
-            table_->index(std::min(at.row() + 1, table_->rowCount() - 1), at.column()));
+        if (const int added = table_->insertRowBelow(at.row()); added >= 0) {
+            view_->setCurrentIndex(table_->index(added, std::max(at.column(), 0)));
+        }
     })->setObjectName(QStringLiteral("add_row"));
     addTool(QStringLiteral("minus"), removeTip, [this] {
         removeSelected();

@@ -295,6 +295,12 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     QTest::mouseClick(test::named<QToolButton>(*editor, "add_row"), Qt::LeftButton);
     EXPECT_EQ(editor->view()->currentIndex(), table->index(11, 1));
     table->removeRowRange(11, 1);
+    // Below the end of the cycle is no row: the new one is above it.
+    editor->view()->setCurrentIndex(table->index(48, 0));
+    QTest::mouseClick(test::named<QToolButton>(*editor, "add_row"), Qt::LeftButton);
+    EXPECT_EQ(table->rowCount(), 50);
+    EXPECT_EQ(editor->view()->currentIndex(), table->index(48, 0));
+    table->removeRowRange(48, 1);
     EXPECT_NEAR(model->result().M_up.rms, rms, 1e-9);
 }
 

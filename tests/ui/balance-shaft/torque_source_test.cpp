@@ -148,6 +148,26 @@ TEST_F(TorqueSourceTest, AnEmptySourceStaysChosenUntilAnotherGivesTheTorque) {
     EXPECT_EQ(chosen->currentIndex(), 2) << "the cycle gives the torque again";
 }
 
+TEST_F(TorqueSourceTest, AnEmptyTableBeginsWithTheFirstRowAdded) {
+    model->setTorqueKind(Kind::cycle);
+    model->edit(QStringLiteral("x"), [](balance_shaft::Input& input) { input.torque.table = {}; });
+    bring(source);
+    choose(0);
+    QTest::mouseClick(test::named<QToolButton>(*entries, "add_row"), Qt::LeftButton);
+    EXPECT_EQ(model->input().torque.kind, Kind::table);
+    EXPECT_EQ(model->input().torque.table,
+              (balance_shaft::TorqueTable{{0.0, 360.0, 720.0}, {0.0, 0.0, 0.0}}));
+    EXPECT_EQ(model->input().strokes, 4);
+    QTableView* view = entries->view();
+    EXPECT_EQ(view->currentIndex().row(), 1);
+    view->model()->setData(view->model()->index(1, TorqueTableModel::Torque), QStringLiteral("50"),
+                           Qt::EditRole);
+    EXPECT_EQ(model->input().torque.table.torque.at(1), 50.0);
+    model->undo();
+    model->undo();
+    EXPECT_EQ(model->input().torque.kind, Kind::cycle);
+}
+
 TEST_F(TorqueSourceTest, ABlockWithoutRoomIsRejectedInWords) {
     QTableView* view = entries->view();
     const QAbstractItemModel& table = *view->model();

@@ -183,10 +183,10 @@ QString TorqueTableModel::take(const TorqueTable& table) {
     return why;
 }
 
-void TorqueTableModel::insertRowBelow(int row) {
+int TorqueTableModel::insertRowBelow(int row) {
     TorqueTable longer = table();
     if (longer.size() == 0) {
-        return;
+        longer = {{0.0, model_->input().cycle_deg()}, {0.0, 0.0}};
     }
     // Half way between its neighbours, so that the table stays a cycle and means the same.
     const auto at = std::clamp<std::ptrdiff_t>(row + 1, 1, std::ssize(longer.torque) - 1);
@@ -194,7 +194,7 @@ void TorqueTableModel::insertRowBelow(int row) {
         const auto below = column->begin() + at;
         column->insert(below, 0.5 * (*(below - 1) + *below));
     }
-    take(longer);
+    return take(longer).isEmpty() ? static_cast<int>(at) : -1;
 }
 
 void TorqueTableModel::removeRowRange(int first, int count) {

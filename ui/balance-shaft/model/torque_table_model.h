@@ -24,7 +24,7 @@ class TorqueTableModel final : public EditableTable {
     explicit TorqueTableModel(BalanceShaftModel* model, QObject* parent = nullptr);
 
     using EditableTable::trouble;
-    void insertRowBelow(int row) override;
+    int insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
     /// Replaces the whole table by text from a spreadsheet, in the column's unit unless the text
     /// names another.

@@ -291,10 +291,10 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
     return role == Qt::ToolTipRole ? QVariant(fieldHint(field)) : QVariant();
 }
 
-void CylinderTableModel::insertRowBelow(int row) {
+int CylinderTableModel::insertRowBelow(int row) {
+    const int at = row < 0 ? rowCount() - 1 : row;
     const QString why = model_->edit(tr("Add cylinder"), [&](Input& input) {
         auto& cylinders = model_->tableOf(input);
-        const int at = row < 0 ? static_cast<int>(cylinders.size()) - 1 : row;
         Cylinder copy = cylinders.at(static_cast<std::size_t>(at));
         copy.articulated.reset();  // it would hang on a pin that its direction cannot share
         renumberMasters(cylinders, at + 2, 1);
@@ -303,6 +303,7 @@ void CylinderTableModel::insertRowBelow(int row) {
         input.firing_order.clear();  // it no longer names every cylinder
     });
     say(why);
+    return why.isEmpty() ? at + 1 : -1;
 }
 
 void CylinderTableModel::removeRowRange(int first, int count) {

@@ -40,7 +40,7 @@ class CylinderTableModel final : public EditableTable {
     void say(const QString& why);
 
     /// A copy of the row below it.
-    void insertRowBelow(int row) override;
+    int insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
     /// Rows that are missing are added.
     void takeBackRejected(const QModelIndex& at) override;
