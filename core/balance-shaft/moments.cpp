@@ -42,6 +42,8 @@ double size_of(const MomentMetrics& moment) {
     return std::max(std::abs(moment.max), std::abs(moment.min));
 }
 
+constexpr double flat_share = 1e-9;  ///< of a criterion: less makes no angle the best
+
 constexpr Text makes_no_moment = Text::tr("The shaft has no moment: its angle has no effect.");
 
 /// Of A sin(φ + angle).
@@ -62,8 +64,8 @@ Optimum best_range(const Moments& moments, const MomentMetrics& tipping) {
         return {std::nullopt, tipping.range, makes_no_moment};
     }
     const AngleMinimum best = minimise_range(moments.plane, moments.forces.moment_amplitude);
-    if (best.worst - best.value > rounding_share * best.worst) {
-        return {wrap_turn(best.alpha - moments.phase), best.value, {}};
+    if (best.worst - best.value > flat_share * best.worst) {
+        return {wrap_turn(best.alpha - moments.phase), best.value, flat_note(moments, best)};
     }
     return {std::nullopt, best.value,
             Text::tr("The angle of the shaft does not affect the range.")};
@@ -75,7 +77,7 @@ Optimum best_rms(const Moments& moments, const MomentMetrics& tipping) {
     }
     // The variance is smallest where the shaft's moment opposes M_up's first order.
     const MomentPlane::Moment& opposed = moments.plane.opposed();
-    if (opposed.norm() > rounding_share * size_of(tipping)) {
+    if (opposed.norm() > flat_share * size_of(tipping)) {
         const double angle = wrap_turn(std::atan2(opposed.x(), opposed.y()) - moments.phase);
         return {angle, moments.plane.rms(moments.shaft_moment(angle)), {}};
     }
@@ -94,6 +96,27 @@ Moments::Moments(const Input& checked)
           checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
       plane(moment) {
     follow(checked);
+}
+
+Message flat_note(const Moments& moments, const AngleMinimum& best) {
+    const double flat = best.value + flat_share * best.worst;
+    const auto end = [&](double side) {  // of the angles as good as the best, from it
+        double away = 0.0;
+        for (const double step : {degree, 0.1 * degree}) {
+            while (away < two_pi &&
+                   moments.plane.range(shaft_at(moments.forces.moment_amplitude,
+                                                best.alpha + side * (away + step))) <= flat) {
+                away += step;
+            }
+        }
+        return Number{wrap_turn(best.alpha + side * away - moments.phase) / degree, units::degree,
+                      -1};
+    };
+    const Number from = end(-1.0);
+    const Number to = end(1.0);
+    return from.value != to.value
+               ? Message(Text::tr("The range is the same from %1 to %2."), from, to)
+               : Message();
 }
 
 bool have_same_tipping_moment(const Input& one, const Input& other) {

@@ -41,6 +41,12 @@ struct Moments {
     void move_shaft(double alpha, Result& result) const;
 };
 
+/// From where to where the range is as small as at the best angle, but for rounding: it is where
+/// its maximum and its minimum are a turn apart, which the shaft moves alike. Empty where it is
+/// not.
+/// @param best  in the angle of the plane
+Message flat_note(const Moments& moments, const AngleMinimum& best);
+
 /// Whether what M_up follows from is the same in both: a torque that is given, or all that a
 /// computed one and the offset's part depend on.
 bool have_same_tipping_moment(const Input& one, const Input& other);

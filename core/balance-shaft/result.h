@@ -65,7 +65,7 @@ struct AngleSweep {
 struct Optimum {
     std::optional<double> shaft_angle;  ///< rad, 0…2π; empty: no α is better than another
     double value = 0.0;                 ///< N·m, the criterion there
-    Message note;                       ///< why there is no angle, as a sentence; else empty
+    Message note;  ///< why there is no angle, or where others are as good; else empty
 };
 
 /// One line of an order spectrum: amplitude × sin(order × φ + phase).

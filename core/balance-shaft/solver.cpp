@@ -167,7 +167,7 @@ void Solver::Prepared::prepare_buildable() {
     if (!is_built(range)) {
         const AngleMinimum best =
             minimise_range(plane, forces.moment_amplitude, turned(buildable.stretches, phase));
-        range = {wrap_turn(best.alpha - phase), best.value, {}};
+        range = {wrap_turn(best.alpha - phase), best.value, flat_note(*this, best)};
     }
     if (!is_built(rms)) {
         // A sinusoid of α rises on both sides of its minimum: the nearest end is best.

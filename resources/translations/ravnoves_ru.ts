@@ -2897,6 +2897,10 @@
         <translation>Угол вала не влияет на размах.</translation>
     </message>
     <message>
+        <source>The range is the same from %1 to %2.</source>
+        <translation>Размах одинаков от %1 до %2.</translation>
+    </message>
+    <message>
         <source>The tipping moment has no first order: the angle of the shaft does not affect the RMS.</source>
         <translation>В опрокидывающем моменте нет первого порядка: угол вала не влияет на СКЗ.</translation>
     </message>

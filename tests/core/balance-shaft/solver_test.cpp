@@ -301,6 +301,28 @@ TEST(BalanceShaft, ASecondOrderTorqueHasNoBestRmsAngle) {
     EXPECT_TRUE(result.best_range.shaft_angle);
 }
 
+TEST(BalanceShaft, AFlatMinimumSaysFromWhereToWhere) {
+    Input input = preset_tmz_650d();
+    EXPECT_TRUE(solve(input).best_range.note.empty());
+    // Maximum and minimum of the torque are a turn apart: the shaft moves them alike, until its own
+    // extremes are beyond them.
+    const double peak = 1.5 * solve(input).moment_amplitude;
+    input.torque.table = {{0, 20, 40, 360, 380, 400, 720}, {0, peak, 0, 0, -peak, 0, 0}};
+    const Solver solver(input);
+    const Result result = solver.result();
+    ASSERT_TRUE(result.best_range.shaft_angle);
+    EXPECT_NEAR(result.best_range.value, 2.0 * peak, 1e-9 * peak);
+    EXPECT_EQ(result.best_range.note.english(), "The range is the same from 310.0° to 10.0°.");
+    for (const double same : {310.0, 340.0, 10.0}) {
+        EXPECT_NEAR(solver.range(same * degree), 2.0 * peak, 1e-9 * peak);
+    }
+    for (const double larger : {309.0, 11.0}) {
+        EXPECT_GT(solver.range(larger * degree), 2.005 * peak);
+    }
+    EXPECT_EQ(written(input).at("optimum").at("range").at("note"),
+              result.best_range.note.english());
+}
+
 TEST(BalanceShaft, MovingTheShaftEqualsSolvingAgain) {
     Input input = preset_tmz_650d();
     const Solver solver(input);

@@ -425,6 +425,9 @@ QString BalanceShaftModel::bestText(Criterion criterion) const {
     QString text =
         (byRange ? tr("Minimum range %2 at %1°") : tr("Minimum RMS %2 at %1°"))
             .arg(number(*found.shaft_angle / degree, 2), shownNumber(found.value, units::N_m, 1));
+    if (!found.note.empty()) {
+        text += QLatin1Char('\n') + messageText(found.note);
+    }
     if (result().buildable.stretches.empty()) {
         text += tr("\nbut at this l no α is feasible");
     } else if (const ResultCell less = shownCell(found.value - all.value, units::N_m, 1);
