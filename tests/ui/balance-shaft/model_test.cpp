@@ -109,6 +109,27 @@ TEST(BalanceShaftModel, AChangeSaysWhetherItIsBetter) {
     EXPECT_FALSE(rows[2].last().text.contains(QStringLiteral("better")));
 }
 
+TEST(SpeedStudyModel, ACancelledOneOffersNoneOfTheInputBefore) {
+    BalanceShaftModel model;
+    model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    SpeedStudyModel& study = *model.speedStudy();
+    study.setBand(&balance_shaft::SpeedBand::from, 2000.0 * units::rpm);
+    model.edit(QStringLiteral("coarse"), [](auto& input) { input.speed_band->speeds = 5; });
+    study.need();
+    ASSERT_TRUE(test::comes([&] { return !study.job()->isRunning(); }));
+    ASSERT_TRUE(study.isSolved());
+    model.edit(QStringLiteral("longer"), [](auto& input) { input.crank_radius *= 1.1; });
+    study.need();
+    study.cancel();
+    EXPECT_FALSE(study.isSolved());
+    EXPECT_TRUE(study.answer().startsWith(QStringLiteral("Cancelled")))
+        << qPrintable(study.answer());
+    model.undo();
+    study.need();
+    ASSERT_TRUE(test::comes([&] { return !study.job()->isRunning(); }));
+    EXPECT_TRUE(study.isSolved());
+}
+
 TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     BalanceShaftModel model;
     model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);

@@ -92,8 +92,7 @@ void SpeedStudyModel::need() {
 
 void SpeedStudyModel::cancel() {
     job_->cancel();
-    trouble_ = tr("Cancelled. Change an input to solve again.");
-    Q_EMIT model_->shownChanged();
+    take({}, tr("Cancelled. Change an input to solve again."));
 }
 
 void SpeedStudyModel::take(Study study, const QString& trouble) {
