@@ -71,6 +71,10 @@ struct GuideWish {
     double shortest(double free_length) const {
         return smallest_spring_length.value_or(0.4 * free_length);
     }
+    /// At this length it is solid: as entered, else where no coil spring is not, m.
+    double solid(double free_length) const {
+        return smallest_spring_length.value_or(0.1 * free_length);
+    }
     bool operator==(const GuideWish&) const = default;
 };
 

@@ -291,6 +291,11 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
 
 namespace {
 
+/// Whether a compressed spring gets shorter than a length.
+bool is_shorter(const Guide& guide, double length) {
+    return 2.0 * guide.compressed.min_radius < (1.0 - 1e-9) * length;
+}
+
 /// Without the warnings.
 Verdict guide_verdict(const Input& input, const Guide& guide, const ResultField& named) {
     const Message name(named.label);
@@ -303,6 +308,17 @@ Verdict guide_verdict(const Input& input, const Guide& guide, const ResultField&
                 Message(Text::tr("%1: a roller of radius %2 undercuts it; the maximum is %3."),
                         name, Number{input.roller_radius / units::mm, units::mm, 5},
                         Number{*guide.summary().largest_roller_radius / units::mm, units::mm, -2})};
+    }
+    const bool has_own_spring = guide.hinge == Hinge::rod && input.rod_hinge_spring;
+    const double free_length =
+        (has_own_spring ? input.rod_hinge_spring : input.spring)->free_length;
+    const double solid = input.guide_search.value_or(GuideWish{}).solid(free_length);
+    if (guide.branch == Branch::compressed && is_shorter(guide, solid)) {
+        return {Severity::error,
+                Message(Text::tr("%1: the spring cannot be compressed from %2 to %3; minimum "
+                                 "length: %4."),
+                        name, in_mm(free_length), in_mm(2.0 * guide.compressed.min_radius),
+                        in_mm(solid))};
     }
     const bool is_good = !(guide.error.relative > max_relative_error);
     return {is_good ? Severity::good : Severity::warning,
@@ -354,12 +370,13 @@ Verdict verdict(const Input& input, const Result& result) {
     }
     if (guide.branch == Branch::compressed) {
         const double free_length = input.spring->free_length;
-        const double shortest = input.guide_search.value_or(GuideWish{}).shortest(free_length);
-        const double length = 2.0 * guide.compressed.min_radius;
-        if (length < shortest - 1e-9 * free_length) {
+        const GuideWish wish = input.guide_search.value_or(GuideWish{});
+        const double shortest = wish.shortest(free_length);
+        if (is_shorter(guide, shortest) && !is_shorter(guide, wish.solid(free_length))) {
             verdict.warn({Text::tr("The spring is compressed from %1 to %2; minimum length: "
                                    "%3."),
-                          in_mm(free_length), in_mm(length), in_mm(shortest)});
+                          in_mm(free_length), in_mm(2.0 * guide.compressed.min_radius),
+                          in_mm(shortest)});
         }
     }
     verdict.warn(overlap_note(guide.hinge, guide.summary(), input.roller_radius));

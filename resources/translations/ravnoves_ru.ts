@@ -4917,6 +4917,10 @@
         <translation>Пружина сжата с %1 до %2; минимальная длина — %3.</translation>
     </message>
     <message>
+        <source>%1: the spring cannot be compressed from %2 to %3; minimum length: %4.</source>
+        <translation>%1: пружину нельзя сжать с %2 до %3; минимальная длина — %4.</translation>
+    </message>
+    <message>
         <source>∮ M₁₂ dφ</source>
         <translation>∮ M₁₂ dφ</translation>
     </message>

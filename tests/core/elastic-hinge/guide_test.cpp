@@ -221,20 +221,19 @@ TEST(ElasticHingeGuide, RollersThatOverlapAreDoubted) {
               std::string::npos);
 }
 
-TEST(ElasticHingeGuide, SpringsThatBecomeTooShortAreDoubted) {
+TEST(ElasticHingeGuide, SpringsThatBecomeTooShortAreDoubtedAndSolidOnesRejected) {
     Input input = preset_zotov();
     input.roller_radius = 0.001;
-    for (const auto& [radius, shortest, doubted] :
-         {std::tuple(0.005, std::optional<double>(), true),
-          std::tuple(0.0405, std::optional<double>(), false),
-          std::tuple(0.005, std::optional(0.009), false),
-          std::tuple(0.06, std::optional(0.121), true)}) {
+    for (const auto& [radius, shortest, severity] :
+         {std::tuple(0.005, std::optional<double>(), Severity::error),
+          std::tuple(0.03, std::optional<double>(), Severity::warning),
+          std::tuple(0.0405, std::optional<double>(), Severity::good),
+          std::tuple(0.005, std::optional(0.009), Severity::good),
+          std::tuple(0.06, std::optional(0.121), Severity::error)}) {
         input.spring = Spring{2e5, 0.2, radius};
         input.guide_search = GuideWish{};
         input.guide_search->smallest_spring_length = shortest;
-        EXPECT_EQ(verdict(input, solve(input)).severity,
-                  doubted ? Severity::warning : Severity::good)
-            << radius;
+        EXPECT_EQ(verdict(input, solve(input)).severity, severity) << radius;
     }
 }
 
