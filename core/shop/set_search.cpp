@@ -9,7 +9,6 @@
 #include <optional>
 #include <random>
 #include <span>
-#include <tuple>
 
 namespace ravnoves::shop {
 
@@ -164,28 +163,12 @@ std::size_t placings_of(const SetKind& kind) {
     return count;
 }
 
-/// A number that is no larger than the size of what it is of: one of the sums, or of a spread the
-/// difference of two.
-struct Key {
-    std::size_t at;
-    std::optional<std::size_t> less;
-
-    double operator()(const double* sum) const { return sum[at] - (less ? sum[*less] : 0.0); }
-};
-
 /// The placings of one kind; of those that add up to the same the one that moves the fewest sets.
 class Placings {
   public:
     struct Each {
         std::size_t at;
         int moved;
-        // Of two placings the sum of like keys is no larger than their size.
-        double cell = 0.0;  ///< of the first key
-        double key = 0.0;   ///< the second
-
-        auto operator<=>(const Each& other) const {
-            return std::tuple(moved, cell, key) <=> std::tuple(other.moved, other.cell, other.key);
-        }
     };
 
     Placings(const SetSearch& search, std::size_t kind)
@@ -207,13 +190,6 @@ class Placings {
     std::vector<int> from(const Each& each) const {
         const auto begin = froms_.begin() + static_cast<std::ptrdiff_t>(each.at * search_.places);
         return {begin, begin + static_cast<std::ptrdiff_t>(search_.places)};
-    }
-    void sort_by(const std::array<Key, 2>& keys, double width) {
-        for (Each& each : list) {
-            each.cell = std::floor(keys[0](sum(each)) / width);
-            each.key = keys[1](sum(each));
-        }
-        std::sort(list.begin(), list.end());
     }
 
   private:
@@ -266,31 +242,92 @@ class Placings {
     Values sums_;
 };
 
-/// The two keys by which placings differ most.
-std::array<Key, 2> widest_keys(const SetSearch& search, const Placings& placings) {
-    const bool is_spread = search.size == SetSearch::Size::spread;
-    std::array<Key, 2> keys{{{0, 0}, {0, 0}}};
-    std::array<double, 2> widths{-1.0, -1.0};
-    for (std::size_t i = 0; i < search.dimensions; ++i) {
-        for (std::size_t k = is_spread ? i + 1 : 0; k < (is_spread ? search.dimensions : 1); ++k) {
-            const Key key{i, is_spread ? std::optional(k) : std::nullopt};
-            double minimum = infinity;
-            double maximum = -infinity;
-            for (const Placings::Each& each : placings.list) {
-                minimum = std::min(minimum, key(placings.sum(each)));
-                maximum = std::max(maximum, key(placings.sum(each)));
-            }
-            if (maximum - minimum > widths[0]) {
-                keys = {key, keys[0]};
-                widths = {maximum - minimum, widths[0]};
-            } else if (maximum - minimum > widths[1]) {
-                keys[1] = key;
-                widths[1] = maximum - minimum;
+/// Placings in boxes of their sums, each halved until few are left: what is in a box that holds
+/// nothing better is passed over.
+class Boxes {
+  public:
+    Boxes(const SetSearch& search, Placings& placings) : search_(search), placings_(placings) {
+        split(0, placings.list.size());
+    }
+
+    /// Calls with each placing that may be better together with one of the other kind.
+    void visit(const double* other, const auto& may_help, const auto& use,
+               std::size_t at = 0) const {
+        const Box& box = boxes_[at];
+        if (!may_help(Rank{least_size(at, other), box.moved})) {
+            return;
+        }
+        if (box.second == 0) {
+            std::for_each(placings_.list.begin() + box.from, placings_.list.begin() + box.to, use);
+            return;
+        }
+        visit(other, may_help, use, at + 1);
+        visit(other, may_help, use, box.second);
+    }
+
+  private:
+    struct Box {
+        std::ptrdiff_t from;
+        std::ptrdiff_t to;
+        std::size_t second;  ///< of its halves, the first follows it; 0: it has none
+        int moved;           ///< at least
+    };
+
+    std::size_t split(std::ptrdiff_t from, std::ptrdiff_t to) {
+        const std::size_t d = search_.dimensions;
+        Values low(d, infinity);
+        Values high(d, -infinity);
+        int moved = std::numeric_limits<int>::max();
+        for (std::ptrdiff_t i = from; i < to; ++i) {
+            const Placings::Each& each = placings_.list[i];
+            moved = std::min(moved, each.moved);
+            for (std::size_t k = 0; k < d; ++k) {
+                low[k] = std::min(low[k], placings_.sum(each)[k]);
+                high[k] = std::max(high[k], placings_.sum(each)[k]);
             }
         }
+        const std::size_t at = boxes_.size();
+        boxes_.push_back({from, to, 0, moved});
+        ends_.insert(ends_.end(), low.begin(), low.end());
+        ends_.insert(ends_.end(), high.begin(), high.end());
+        constexpr std::ptrdiff_t few = 8;
+        if (to - from > few) {
+            std::transform(high.begin(), high.end(), low.begin(), low.begin(), std::minus());
+            const auto widest = std::max_element(low.begin(), low.end()) - low.begin();
+            const std::ptrdiff_t middle = (from + to) / 2;
+            const auto begin = placings_.list.begin();
+            std::nth_element(begin + from, begin + middle, begin + to,
+                             [&](const Placings::Each& a, const Placings::Each& b) {
+                                 return placings_.sum(a)[widest] < placings_.sum(b)[widest];
+                             });
+            split(from, middle);
+            const std::size_t second = split(middle, to);
+            boxes_[at].second = second;
+        }
+        return at;
     }
-    return keys;
-}
+    /// Of anything in a box, together with another placing.
+    double least_size(std::size_t at, const double* other) const {
+        const double* low = &ends_[2 * search_.dimensions * at];
+        const double* high = low + search_.dimensions;
+        double squares = 0.0;
+        double lowest = infinity;
+        double highest = -infinity;
+        for (std::size_t k = 0; k < search_.dimensions; ++k) {
+            const double off = std::max({low[k] + other[k], -high[k] - other[k], 0.0});
+            squares += off * off;
+            lowest = std::min(lowest, high[k] + other[k]);
+            highest = std::max(highest, low[k] + other[k]);
+        }
+        return search_.size == SetSearch::Size::spread ? std::max(0.0, highest - lowest)
+                                                       : std::sqrt(squares);
+    }
+
+    const SetSearch& search_;
+    Placings& placings_;
+    std::vector<Box> boxes_;
+    Values ends_;  ///< of each box the lowest sums and the highest
+};
 
 /// The size of two placings together; infinity as soon as it is known to be beyond the limit.
 double size_within(double limit, const double* a, const double* b, const SetSearch& search) {
@@ -315,36 +352,21 @@ double size_within(double limit, const double* a, const double* b, const SetSear
 void compare_all(const SetSearch& search, From& best_from, Rank& best) {
     Placings first(search, 0);
     Placings second(search, 1);
-    const double start = (std::max(best.size, search.enough) + 2.0 * search.rounding) * 1.001;
-    const auto keys = widest_keys(search, second);
-    first.sort_by(keys, start);
-    second.sort_by(keys, start);
-    const auto end = second.list.end();
-    const auto may_help = [&](int moved) { return is_better(search, {0.0, moved}, best); };
-    const auto compare = [&](const Placings::Each& a, int moved, double cell) {
-        const double limit = std::max(best.size, search.enough) + 2.0 * search.rounding;
-        for (auto b = std::lower_bound(second.list.begin(), end,
-                                       Placings::Each{0, moved, cell, -a.key - limit});
-             b != end && b->moved == moved && b->cell == cell && b->key <= limit - a.key; ++b) {
-            const Rank rank{size_within(limit, first.sum(a), second.sum(*b), search),
-                            a.moved + moved};
-            if (is_better(search, rank, best)) {
-                best = rank;
-                best_from = {first.from(a), second.from(*b)};
-            }
-        }
-    };
+    std::ranges::stable_sort(first.list, {}, &Placings::Each::moved);
+    const Boxes boxes(search, second);
     for (const Placings::Each& a : first.list) {
-        if (!may_help(a.moved)) {
-            break;
-        }
-        for (int moved = 0; moved <= second.list.back().moved && may_help(a.moved + moved);
-             ++moved) {
-            // A cell of the first key and its neighbours hold all that may do.
-            for (double cell = -a.cell - 2.0; cell <= -a.cell + 1.0; ++cell) {
-                compare(a, moved, cell);
+        const auto is_help = [&](Rank rank) {
+            rank.moved += a.moved;
+            return is_better(search, rank, best);
+        };
+        boxes.visit(first.sum(a), is_help, [&](const Placings::Each& b) {
+            const double limit = std::max(best.size, search.enough) + 2.0 * search.rounding;
+            const Rank rank{size_within(limit, first.sum(a), second.sum(b), search), b.moved};
+            if (is_help(rank)) {
+                best = {rank.size, a.moved + b.moved};
+                best_from = {first.from(a), second.from(b)};
             }
-        }
+        });
     }
 }
 

@@ -50,7 +50,7 @@ double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& f
 ///
 /// Exchanges of two sets from the present placing and from random ones, as long as they help. Where
 /// each kind has no more placings than 8! (eight places; five and five in two groups) all pairs of
-/// placings are compared after that, but for those that one number alone shows to be worse. The
+/// placings are compared after that, but for those that the bounds of several show to be worse. The
 /// thread's last search is kept: most edits of a case do not affect it.
 SetsFound best_placing(const SetSearch& search);
 
