@@ -124,6 +124,14 @@ void MainWindow::renew() {
     const QWidget* at = focusWidget();
     const QString field =
         at != nullptr && documents_->isAncestorOf(at) ? at->objectName() : QString();
+    std::vector<std::pair<const OpenDocument*, QRect>> tolerances;  // open, to be open again
+    for (const auto* open : findChildren<ToleranceWindow*>()) {
+        for (const auto& each : documents_->all()) {
+            if (open->isVisible() && open->page() == each->page) {
+                tolerances.emplace_back(each.get(), open->geometry());
+            }
+        }
+    }
     unsetLocale();
     {
         const QSignalBlocker quiet(documents_);
@@ -145,6 +153,9 @@ void MainWindow::renew() {
     buildNavigation();
     buildMenus();
     documents_->show();
+    for (const auto& [document, place] : tolerances) {
+        openTolerances(document->page)->setGeometry(place);
+    }
     if (atStart) {
         showStart();
         return;
@@ -165,9 +176,13 @@ void MainWindow::showTolerances() {
             return;
         }
     }
-    auto* window = new ToleranceWindow(currentPage(), this);
+    openTolerances(currentPage());
+}
+
+ToleranceWindow* MainWindow::openTolerances(ScenePage* page) {
+    auto* window = new ToleranceWindow(page, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
-    connect(window, &ToleranceWindow::saveWanted, this, [this, page = currentPage()] {
+    connect(window, &ToleranceWindow::saveWanted, this, [this, page] {
         for (const auto& each : documents_->all()) {
             if (each->page == page) {
                 documents_->save(*each);
@@ -175,6 +190,7 @@ void MainWindow::showTolerances() {
         }
     });
     window->show();
+    return window;
 }
 
 bool MainWindow::showScene(const QString& name) {

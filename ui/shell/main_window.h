@@ -19,6 +19,7 @@ class Recovery;
 class ScaleButton;
 class ScenePage;
 class StartPage;
+class ToleranceWindow;
 class VariantMenu;
 class WorkshopPage;
 
@@ -108,6 +109,7 @@ class MainWindow : public QMainWindow {
     void showAbout();
     /// The window of the tolerances of the case in front; one that is open comes to the front.
     void showTolerances();
+    ToleranceWindow* openTolerances(ScenePage* page);
 
     QStackedWidget* front_ = nullptr;  ///< the documents, or the start page
     Documents* documents_ = nullptr;

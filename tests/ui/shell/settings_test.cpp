@@ -14,6 +14,7 @@
 #include "page/scene_page.h"
 #include "shell/main_window.h"
 #include "shell/settings_dialog.h"
+#include "studies/tolerance_window.h"
 #include "text/language.h"
 #include "text/number_text.h"
 #include "text/preferences.h"
@@ -206,6 +207,24 @@ TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
     EXPECT_EQ(onPage<QComboBox>("export_turns")->currentIndex(), 1);
     EXPECT_EQ(onPage<NumberField>("chord_tolerance_mm")->value(), 0.01);
     EXPECT_EQ(onPage<NumberField>("step_deg")->value(), 2.0);
+}
+
+TEST_F(Settings, TheToleranceWindowIsOpenAgainInAnotherLanguage) {
+    window.showScene(u"balance-shaft"_s);
+    QTest::keyClick(&window, Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+    QApplication::processEvents();
+    const auto shown = [this] {
+        QList<ToleranceWindow*> open = window.findChildren<ToleranceWindow*>();
+        open.removeIf([](const ToleranceWindow* each) { return !each->isVisible(); });
+        return open;
+    };
+    ASSERT_EQ(shown().size(), 1);
+    const QString title = shown().front()->windowTitle();
+    Preferences::instance().setLanguage(u"ru"_s);
+    QApplication::processEvents();
+    ASSERT_EQ(shown().size(), 1);
+    EXPECT_EQ(shown().front()->page(), window.currentPage());
+    EXPECT_NE(shown().front()->windowTitle(), title);
 }
 
 TEST_F(Settings, TextGrowsAtOnce) {
