@@ -99,13 +99,15 @@ Moments::Moments(const Input& checked)
 }
 
 Message flat_note(const Moments& moments, const AngleMinimum& best) {
-    const double flat = best.value + flat_share * best.worst;
+    // What cannot be built may have a smaller one.
+    const auto is_as_good = [&](double alpha) {
+        const auto shaft = shaft_at(moments.forces.moment_amplitude, alpha);
+        return std::abs(moments.plane.range(shaft) - best.value) <= flat_share * best.worst;
+    };
     const auto end = [&](double side) {  // of the angles as good as the best, from it
         double away = 0.0;
         for (const double step : {degree, 0.1 * degree}) {
-            while (away < two_pi &&
-                   moments.plane.range(shaft_at(moments.forces.moment_amplitude,
-                                                best.alpha + side * (away + step))) <= flat) {
+            while (away < two_pi && is_as_good(best.alpha + side * (away + step))) {
                 away += step;
             }
         }
