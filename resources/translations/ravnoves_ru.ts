@@ -13807,8 +13807,8 @@ but at this l no α is feasible</source>
         <translation>Пример: %1</translation>
     </message>
     <message>
-        <source>TMZ-650D: balance shaft at 45°</source>
-        <translation>ТМЗ-650Д: балансирный вал под 45°</translation>
+        <source>TMZ-650D: balance shaft</source>
+        <translation>ТМЗ-650Д: балансирный вал</translation>
     </message>
     <message>
         <source>Zotov and Sviridov 2021: formulas as printed</source>

@@ -17,7 +17,7 @@ namespace {
 
 /// The titles of resources/examples, as they are there, and what each answers.
 constexpr auto exampleTitles = std::to_array<std::pair<const char*, const char*>>({
-    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "Where do I put the balance shaft?")},
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "88 × 75 mm: a balance shaft that helps"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "How much can a balance shaft help?")},
