@@ -65,7 +65,7 @@ inline std::optional<double> single_number(const ResultValue& value) {
                               : std::nullopt;
 }
 
-/// What is left of a JSON pointer behind one around it, or behind itself; nothing where it leads
+/// The rest of a JSON pointer behind one around it, or behind itself; nothing where it leads
 /// elsewhere.
 inline std::optional<std::string_view> behind(std::string_view pointer, std::string_view around) {
     const bool leads_on = pointer.starts_with(around) &&

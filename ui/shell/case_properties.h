@@ -6,7 +6,7 @@ namespace ravnoves {
 
 class SceneModel;
 
-/// Title and notes of a case. However it is closed, what was typed is one step of the history.
+/// Title and notes of a case. However it is closed, both are taken as one step of the history.
 class CaseProperties : public QDialog {
     Q_OBJECT
 

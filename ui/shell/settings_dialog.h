@@ -4,8 +4,8 @@
 
 namespace ravnoves {
 
-/// Theme, size of the text, language, digits, units. What is chosen applies once it is accepted,
-/// and is kept for the next start.
+/// Theme, size of the text, language, digits, units. They apply once the dialog is accepted, and
+/// are kept for the next start.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 

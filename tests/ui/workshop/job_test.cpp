@@ -878,7 +878,7 @@ TEST_F(ReadJobTest, JournalAndCard) {
     EXPECT_FALSE(model->input().correction->readings[0].unbalance);
     EXPECT_EQ(sheets->currentIndex(), 0);
     EXPECT_EQ(page.focusWidget(), find<QWidget>("engine_number"));
-    EXPECT_TRUE(has(said, u"All else is kept."_s));
+    EXPECT_TRUE(has(said, u"Engine, machine, planes and drills are kept."_s));
 }
 
 TEST_F(CardJobTest, AJobWithPlanesIsUnfinishedUntilItIsRead) {
