@@ -13,6 +13,7 @@
 #include "numerics/constants.h"
 #include "numerics/units.h"
 #include "pictures/figure.h"
+#include "pictures/model/pixel.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"

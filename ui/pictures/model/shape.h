@@ -8,8 +8,8 @@ class QPainter;
 
 namespace ravnoves {
 
-// Shapes with the painter's pen and brush. Onto a screen their outlines are lines of our brush, as
-// Qt's need longer. Elsewhere, and dashed, they are Qt's own.
+// Shapes with the painter's pen and brush. Onto a screen by the distance of its pixels from the
+// edge: Qt's outlines need up to ten times as long. Elsewhere, and dashed, they are Qt's own.
 
 /// A circle.
 void paintDisc(QPainter& painter, const QPointF& middle, double radius);

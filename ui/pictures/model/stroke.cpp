@@ -4,7 +4,6 @@
 #include <QImage>
 #include <QLineF>
 #include <QMap>
-#include <QPaintEngine>
 #include <QPainter>
 #include <QPainterPath>
 #include <QRect>
@@ -17,6 +16,8 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "pictures/model/pixel.h"
 
 namespace ravnoves {
 
@@ -41,13 +42,21 @@ std::uint32_t shareOf(std::uint32_t cover, std::uint32_t alpha) {
     return alpha == 255 ? cover : (cover * alpha + 127) / 255;
 }
 
+// For each row and pixel: one instruction each, where a branch would go another way at each edge.
+double greater(double a, double b) {
+    return a > b ? a : b;
+}
+double less(double a, double b) {
+    return a < b ? a : b;
+}
+
 /// A whole number within 0 and `most`, cut off.
 int wholeWithin(double value, double maximum) {
-    return static_cast<int>(std::clamp(value, 0.0, maximum));
+    return static_cast<int>(less(greater(value, 0.0), maximum));
 }
 /// The same of the smallest whole number that is no less.
 int wholeUpWithin(double value, double maximum) {
-    const double within = std::clamp(value, 0.0, maximum);
+    const double within = less(greater(value, 0.0), maximum);
     const int whole = static_cast<int>(within);
     return whole + static_cast<int>(whole < within);
 }
@@ -59,7 +68,7 @@ struct Span {
 constexpr Span everywhere{-1e9, 1e9};
 
 Span spanOf(double one, double other) {
-    return {std::min(one, other), std::max(one, other)};
+    return {less(one, other), greater(one, other)};
 }
 
 /// How far a line that reaches so far to its sides reaches past an end.
@@ -89,16 +98,14 @@ std::vector<std::uint8_t>& coverOf(const QSize& size) {
 /// Draws lines wider than a pixel into a picture, antialiased, by the distance of each pixel from
 /// the line. Qt makes the outline of such a line and fills it: ten times the work, for the same
 /// picture but for the last shades of its edges. Ends are flat, bends round; where a line crosses
-/// itself it is no darker. All in pixels of the device.
+/// itself it is no darker. All in pixels of the picture.
 class LineBrush {
   public:
-    /// @param picture  RGB32 or premultiplied ARGB32
-    /// @param clip  pixels of the device that may change
-    /// @param at  where they begin in the picture
-    LineBrush(QImage& picture, const QRect& clip, const QPoint& at)
+    /// @param picture  RGB32 or premultiplied ARGB32, written to until the brush is destroyed
+    /// @param clip  pixels of the picture that may change
+    LineBrush(QImage& picture, const QRect& clip)
         : picture_(picture),
-          clip_(clip),
-          at_(at),
+          clip_(clip & picture.rect()),
           cover_(coverOf(clip_.size())),
           touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}) {}
 
@@ -190,7 +197,8 @@ class LineBrush {
         const double sideways = reach * std::abs(ux);
         const int first = wholeUpWithin(rows.from - sideways - 0.5, clip_.height());
         const int beyond = wholeWithin(rows.to + sideways + 0.5, clip_.height());
-        // Columns within reach of its two sides and between its ends, which move with the rows.
+        // Columns within reach of its two sides, between its ends, and where the distance from it
+        // is all: nearer to an end than this, the end tells. They move with the rows.
         const bool isUpright = std::abs(ux) <= tiny;
         const bool isLevel = std::abs(uy) <= tiny;
         const double perUx = isUpright ? 0.0 : 1.0 / ux;
@@ -199,50 +207,72 @@ class LineBrush {
         const double sideRoom = tiny + (isLevel ? everywhere.to : std::abs(reach * perUy));
         const double sidePerRow = ux * perUy;
         const double endPerRow = -uy * perUx;
-        const Span ends =
-            isUpright ? everywhere
-                      : spanOf(zero - beforeStart * perUx, zero + (length + beyondEnd) * perUx);
+        const double innerStart = before != nullptr ? 0.0 : 0.5;
+        const double innerEnd = length - (after != nullptr ? 0.0 : 0.5);
+        const auto columns = [&](double start, double end) {
+            return isUpright ? everywhere : spanOf(zero + start * perUx, zero + end * perUx);
+        };
+        const Span ends = columns(-beforeStart, length + beyondEnd);
+        const Span inner = columns(innerStart, innerEnd);
         for (int row = first; row < beyond; ++row) {
             const double y = row + 0.5 - from.y();
             const double side = zero + y * sidePerRow;
             const double shift = y * endPerRow;
             const int left =
-                wholeUpWithin(std::max(side - sideRoom, ends.from + shift - tiny), clip_.width());
+                wholeUpWithin(greater(side - sideRoom, ends.from + shift - tiny), clip_.width());
             const int right =
-                wholeWithin(std::min(side + sideRoom, ends.to + shift + tiny) + 1.0, clip_.width());
+                wholeWithin(less(side + sideRoom, ends.to + shift + tiny) + 1.0, clip_.width());
             if (left >= right) {
                 continue;
             }
             auto& touched = touched_[static_cast<std::size_t>(row)];
             touched = {std::min(touched.first, left), std::max(touched.second, right)};
             std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
-            for (int column = left; column < right; ++column) {
-                const double x = column - zero;
-                const double at = x * ux + y * uy;
-                double away = std::abs(y * ux - x * uy);
-                double part = 1.0;
-                const double over = std::max(-at, at - length);
-                if (over > -0.5) {
-                    const bool atStart = at < 0.5 * length;
-                    const QPointF* const next = atStart ? before : after;
-                    if (next == nullptr) {
-                        part = std::clamp(0.5 - over, 0.0, 1.0);
-                    } else if (over > 0.0) {
-                        // Round in the wedge between both; beyond it is the neighbour's, which may
-                        // end soon.
-                        const QPointF& joint = atStart ? from : to;
-                        const QPointF there = QPointF(column, row) + QPointF(0.5, 0.5) - joint;
-                        if (QPointF::dotProduct(there, *next - joint) > 0.0) {
-                            continue;
+            const auto markEnds = [&](int begin, int stop) {
+                for (int column = begin; column < stop; ++column) {
+                    const double x = column - zero;
+                    const double at = x * ux + y * uy;
+                    double away = std::abs(y * ux - x * uy);
+                    double part = 1.0;
+                    const double over = std::max(-at, at - length);
+                    if (over > -0.5) {
+                        const bool atStart = at < 0.5 * length;
+                        const QPointF* const next = atStart ? before : after;
+                        if (next == nullptr) {
+                            part = std::clamp(0.5 - over, 0.0, 1.0);
+                        } else if (over > 0.0) {
+                            // Round in the wedge between both; beyond it is the neighbour's.
+                            const QPointF& joint = atStart ? from : to;
+                            const QPointF there = QPointF(column, row) + QPointF(0.5, 0.5) - joint;
+                            if (QPointF::dotProduct(there, *next - joint) > 0.0) {
+                                continue;
+                            }
+                            away = std::sqrt(away * away + over * over);
                         }
-                        away = std::sqrt(away * away + over * over);
                     }
+                    const double covered = part * std::clamp(reach - away, 0.0, 1.0);
+                    cover[column] =
+                        std::max(cover[column], static_cast<std::uint8_t>(pixelStep(covered)));
                 }
-                const double covered = part * std::clamp(reach - away, 0.0, 1.0);
-                // NOLINTNEXTLINE(bugprone-incorrect-roundings): for each pixel, without a call
-                const auto step = static_cast<std::uint8_t>(255.0 * covered + 0.5);
-                cover[column] = std::max(cover[column], step);
+            };
+            int begin = right;
+            int stop = right;
+            if (innerEnd > innerStart &&
+                (!isUpright || (y * uy > innerStart && y * uy < innerEnd))) {
+                begin = std::max(left, wholeUpWithin(inner.from + shift, right));
+                stop = std::max(begin, wholeWithin(inner.to + shift + 1.0, right));
             }
+            markEnds(left, begin);
+            // As pixelStep() has it, but cut off as a whole number, and below by what is there.
+            const double maximum = 255.0 * reach + 0.5;
+            const double across = 255.0 * (y * ux + zero * uy);
+            const double perColumn = 255.0 * uy;
+            for (int column = begin; column < stop; ++column) {
+                const int step = static_cast<int>(maximum - std::abs(across - column * perColumn));
+                cover[column] =
+                    static_cast<std::uint8_t>(std::max<int>(cover[column], std::min(step, 255)));
+            }
+            markEnds(stop, right);
         }
     }
 
@@ -250,13 +280,13 @@ class LineBrush {
         const auto paint = static_cast<std::uint32_t>(colour.rgb());
         const auto alpha = static_cast<std::uint32_t>(colour.alpha());
         for (int row = 0; row < clip_.height(); ++row) {
-            const auto& touched = touched_[static_cast<std::size_t>(row)];
+            auto& touched = touched_[static_cast<std::size_t>(row)];
             if (touched.first >= touched.second) {
                 continue;
             }
             std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
-            auto* pixels =
-                reinterpret_cast<std::uint32_t*>(picture_.scanLine(at_.y() + row)) + at_.x();
+            auto* pixels = reinterpret_cast<std::uint32_t*>(picture_.scanLine(clip_.top() + row)) +
+                           clip_.left();
             for (int eight = touched.first; eight < touched.second; eight += 8) {
                 // Most are not on any line; of eight only those between the first and the last one.
                 const auto covers = qFromLittleEndian<std::uint64_t>(cover + eight);
@@ -267,50 +297,27 @@ class LineBrush {
                     cover[column] = 0;
                 }
             }
+            touched = {clip_.width(), 0};
         }
     }
 
     QImage& picture_;
     QRect clip_;
-    QPoint at_;
     double half_ = 0.5;                 ///< of the width
     std::vector<std::uint8_t>& cover_;  ///< of each pixel of the clip, 255 is all; and eight more
     /// Of each row of the clip, the pixels touched: from, to beyond the last.
     std::vector<std::pair<int, int>> touched_;
 };
 
-/// The picture that a painter paints on, where the pixels of a box may be written to at once; null:
-/// they need a layer. The box is cut to what may change.
-QImage* pictureOf(const QPainter& painter, QRectF& box) {
-    // Of a widget the picture of its window, where only its own place may change.
-    QPaintDevice* const device = painter.paintEngine()->paintDevice();
-    const QRegion place = painter.paintEngine()->systemClip();
-    QRectF clip(0.0, 0.0, device->width(), device->height());
-    bool isSimple = place.rectCount() <= 1 && device->devType() == QInternal::Image &&
-                    painter.compositionMode() == QPainter::CompositionMode_SourceOver;
-    if (!place.isEmpty()) {
-        clip &= place.boundingRect();
-    }
-    if (painter.hasClipping()) {
-        // Of a small box a layer: reading the clip takes as long.
-        constexpr double small = 64.0 * 64.0;
-        isSimple = isSimple && box.width() * box.height() >= small &&
-                   painter.clipRegion().rectCount() == 1;
-        clip &= painter.deviceTransform().mapRect(painter.clipBoundingRect());
-    }
-    auto* const image = isSimple ? static_cast<QImage*>(device) : nullptr;
-    const bool isKnown =
-        image != nullptr && (image->format() == QImage::Format_RGB32 ||
-                             image->format() == QImage::Format_ARGB32_Premultiplied);
-    box &= isKnown ? QRectF(clip.toRect()) : clip;  // as Qt does
-    return isKnown ? image : nullptr;
+bool canBrush(const QPainter& painter) {
+    return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
+           painter.opacity() == 1.0;
 }
 
-bool canBrush(const QPainter& painter, const QPen& pen) {
-    return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
-           painter.opacity() == 1.0 && pen.style() != Qt::NoPen && pen.dashOffset() == 0.0 &&
+bool canBrush(const QPen& pen, double scale) {
+    return pen.style() != Qt::NoPen && pen.dashOffset() == 0.0 &&
            pen.brush().style() == Qt::SolidPattern && pen.capStyle() != Qt::RoundCap &&
-           pen.widthF() * painter.deviceTransform().m11() >= 1.0;
+           pen.widthF() * scale >= 1.0;
 }
 
 /// A way of this length along a line.
@@ -321,13 +328,6 @@ QPointF along(const QPointF& from, const QPointF& to, double length) {
 }
 
 }  // namespace
-
-bool paintsPixels(const QPainter& painter) {
-    const QTransform& transform = painter.deviceTransform();
-    return painter.paintEngine()->type() == QPaintEngine::Raster &&
-           transform.type() <= QTransform::TxScale && transform.m11() > 0.0 &&
-           transform.m11() == transform.m22();
-}
 
 std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box) {
     double from = 0.0;
@@ -355,53 +355,61 @@ void paintLine(QPainter& painter, const QPolygonF& line) {
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
     const QTransform& transform = painter.deviceTransform();
     const double scale = transform.m11();
-    const QPen before = painter.pen();
-    for (const auto& [pen, lines] : all) {
-        if (!canBrush(painter, pen)) {
-            painter.setPen(pen);
-            for (const QPolygonF& line : lines) {
+    const bool canBrushAll =
+        canBrush(painter) && std::all_of(all.begin(), all.end(), [&](const LinesOfPen& each) {
+            return canBrush(each.pen, scale);
+        });
+    if (!canBrushAll && all.size() > 1) {
+        for (const LinesOfPen& each : all) {
+            paintLines(painter, {each});
+        }
+        return;
+    }
+    if (!canBrushAll) {
+        const QPen before = painter.pen();
+        for (const LinesOfPen& each : all) {
+            painter.setPen(each.pen);
+            for (const QPolygonF& line : each.lines) {
                 painter.drawPolyline(line);
             }
-            painter.setPen(before);
-            continue;
         }
-        const double width = pen.widthF() * scale;
-        std::vector<QPolygonF> onDevice;
-        QRectF seen;
-        for (const QPolygonF& line : lines) {
+        painter.setPen(before);
+        return;
+    }
+    std::vector<LinesOfPen> onDevice;
+    QRectF seen;
+    for (const LinesOfPen& each : all) {
+        LinesOfPen& mapped = onDevice.emplace_back(LinesOfPen{each.pen, {}});
+        const double room = each.pen.widthF() * scale + 1.0;
+        for (const QPolygonF& line : each.lines) {
             if (line.size() > 1) {
-                onDevice.push_back(transform.map(line));
-                seen |= onDevice.back().boundingRect().adjusted(-width - 1.0, -width - 1.0,
-                                                                width + 1.0, width + 1.0);
+                mapped.lines.push_back(transform.map(line));
+                seen |= mapped.lines.back().boundingRect().adjusted(-room, -room, room, room);
             }
         }
-        QImage* const picture = pictureOf(painter, seen);
-        const QRect clip = seen.toAlignedRect();
-        QImage layer;
-        if (picture == nullptr) {
-            layer = QImage(clip.size(), QImage::Format_ARGB32_Premultiplied);
-            layer.fill(Qt::transparent);
-        }
-        LineBrush brush(picture != nullptr ? *picture : layer, clip,
-                        picture != nullptr ? clip.topLeft() : QPoint());
-        const bool isSquare = pen.capStyle() == Qt::SquareCap;
-        const double squareEnd = isSquare ? 0.5 * width : 0.0;
-        for (QPolygonF& line : onDevice) {
+    }
+    PaintedPixels pixels(painter, seen);
+    LineBrush brush(pixels.picture(), pixels.seen().translated(-pixels.corner()));
+    for (LinesOfPen& each : onDevice) {
+        const double width = each.pen.widthF() * scale;
+        const double squareEnd = each.pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
+        for (QPolygonF& line : each.lines) {
+            line.translate(-pixels.corner());
             const qsizetype last = line.size() - 1;
             const QPointF atStart = along(line[0], line[1], squareEnd);
             const QPointF atEnd = along(line[last - 1], line[last], squareEnd);
             line.front() -= atStart;
             line.back() += atEnd;
         }
-        QList<qreal> dashes = pen.style() == Qt::SolidLine ? QList<qreal>() : pen.dashPattern();
+        QList<qreal> dashes =
+            each.pen.style() == Qt::SolidLine ? QList<qreal>() : each.pen.dashPattern();
         for (qsizetype i = 0; i < dashes.size(); ++i) {
             // Square ends are those of each dash.
-            const double more = isSquare ? (i % 2 == 0 ? 1.0 : -1.0) : 0.0;
+            const double more =
+                each.pen.capStyle() == Qt::SquareCap ? (i % 2 == 0 ? 1.0 : -1.0) : 0.0;
             dashes[i] = std::max(0.0, dashes[i] + more) * width;
         }
-        brush.draw(onDevice, pen.color(), width, dashes);
-        layer.setDevicePixelRatio(scale);
-        painter.drawImage(transform.inverted().map(QPointF(clip.topLeft())), layer);
+        brush.draw(each.lines, each.pen.color(), width, dashes);
     }
 }
 

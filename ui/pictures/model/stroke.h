@@ -12,9 +12,6 @@ class QPainterPath;
 
 namespace ravnoves {
 
-/// Whether a painter paints pixels, moved and scaled at most, and alike in both directions.
-bool paintsPixels(const QPainter& painter);
-
 /// Draws a polyline with the painter's pen. Onto a screen by a brush of our own, where the pen is
 /// no narrower than a pixel: Qt's stroker takes longer. Anywhere else, and with round ends, it is a
 /// polyline of Qt's.
@@ -28,7 +25,8 @@ struct LinesOfPen {
     QPen pen;
     std::vector<QPolygonF> lines;
 };
-/// One after the other.
+/// One after the other, onto the pixels of the picture, else into one layer that is laid over it
+/// once.
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
 
 /// Lines at 45° that fill an area, those that may meet a rectangle.
