@@ -2,13 +2,13 @@
 
 #include <QApplication>
 #include <QBuffer>
-#include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QTabWidget>
 
 #include "case-file/input_error.h"
 #include "model/case_document.h"
 #include "page/scene_page.h"
+#include "report/patience.h"
 #include "shell/main_window.h"
 #include "text/write_file.h"
 #include "widgets/page_columns.h"
@@ -98,14 +98,8 @@ QString writeScreenshot(MainWindow& window, const QString& path) {
     }
     QApplication::processEvents();
     // What is computed in the background belongs in the picture.
-    QElapsedTimer waited;
-    waited.start();
-    const auto busy = [&window] { return window.currentPage()->isBusy(); };
-    constexpr int patience = 60'000;  // ms
-    while (busy() && waited.elapsed() < patience) {
-        QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
-    }
-    QApplication::processEvents();
+    constexpr int longest = 60'000;  // ms
+    Patience().waitWhile([&window] { return window.currentPage()->isBusy(); }, longest);
     if (QWidget* focus = QApplication::focusWidget()) {
         focus->clearFocus();  // no blinking text cursor in the picture
     }

@@ -21,17 +21,10 @@ QString withSign(double value, const QString& shown) {
 
 /// Whether a text has a power of ten: 1e3, 10³. For every cell at every step, so without a pattern.
 bool hasPower(const QString& shown) {
-    const QStringView text(shown);
-    const auto isRaised = [](QChar sign) { return QStringView(u"⁰¹²³⁴⁵⁶⁷⁸⁹⁻").contains(sign); };
-    for (qsizetype i = 1; i < text.size(); ++i) {
-        if (text[i - 1].isDigit() && (text[i] == u'e' || text[i] == u'E')) {
-            return true;
-        }
-        if (isRaised(text[i]) && text.first(i).endsWith(u"10")) {
-            return true;
-        }
-    }
-    return false;
+    return std::adjacent_find(shown.begin(), shown.end(), [](QChar before, QChar sign) {
+               return (before.isDigit() && sign.toLower() == u'e') ||
+                      (before == u'0' && QStringView(u"⁰¹²³⁴⁵⁶⁷⁸⁹⁻").contains(sign));
+           }) != shown.end();
 }
 
 std::optional<int> decimalsOf(const QString& shown) {
