@@ -1,19 +1,15 @@
 #include "text/usual_paper.h"
 
-#include <algorithm>
-#include <array>
+#include <langinfo.h>
+
+#include <cstdint>
 
 namespace ravnoves {
 
-QPageSize::PageSizeId usualPaper(const QLocale& locale) {
-    static constexpr std::array letter{
-        QLocale::Belize,       QLocale::Canada,     QLocale::Chile,       QLocale::Colombia,
-        QLocale::CostaRica,    QLocale::ElSalvador, QLocale::Guatemala,   QLocale::Mexico,
-        QLocale::Nicaragua,    QLocale::Panama,     QLocale::Philippines, QLocale::PuertoRico,
-        QLocale::UnitedStates, QLocale::Venezuela};
-    return std::find(letter.begin(), letter.end(), locale.territory()) != letter.end()
-               ? QPageSize::Letter
-               : QPageSize::A4;
+QPageSize::PageSizeId usualPaper() {
+    constexpr int between = 288;  // mm, of 279 and 297
+    const auto height = reinterpret_cast<std::intptr_t>(nl_langinfo(_NL_PAPER_HEIGHT));
+    return static_cast<int>(height) < between ? QPageSize::Letter : QPageSize::A4;
 }
 
 }  // namespace ravnoves

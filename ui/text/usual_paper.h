@@ -1,14 +1,11 @@
 #pragma once
 
-#include <QLocale>
 #include <QPageSize>
 
 namespace ravnoves {
 
-/// Letter where the locale's country prints on it, else A4.
-///
-/// Source: Unicode CLDR, supplemental data, measurementData, paperSize US-Letter.
-/// @param locale  of the desktop: an English program in Berlin prints on A4
-QPageSize::PageSizeId usualPaper(const QLocale& locale = QLocale::system());
+/// Letter where the desktop's country prints on it, else A4, as its locale has it (LC_PAPER): an
+/// English program in Berlin prints on A4.
+QPageSize::PageSizeId usualPaper();
 
 }  // namespace ravnoves
