@@ -84,7 +84,6 @@ class Documents : public QWidget {
     /// unsaved changes.
     /// @return false where the user cancels
     bool close(OpenDocument& document);
-    bool closeCurrent() { return close(current()); }
     /// Before all of them close: asks about unsaved changes.
     bool canClose();
 

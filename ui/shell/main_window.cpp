@@ -264,15 +264,11 @@ void MainWindow::goToScene(const QString& scene) {
 bool MainWindow::newCase(const QString& scene, bool isFirst) {
     const std::vector<NewCase> cases = newCases();
     const auto first = std::ranges::find(cases, scene, &NewCase::scene);
-    return first != cases.end() && newCase(first->make(), isFirst).isEmpty();
-}
-
-QString MainWindow::newCase(const CaseFile& file, bool isFirst) {
-    return documents_->begin(file, isFirst);
+    return first != cases.end() && documents_->begin(first->make(), isFirst).isEmpty();
 }
 
 void MainWindow::beginOrSayWhy(const CaseFile& file) {
-    const QString trouble = newCase(file);
+    const QString trouble = documents_->begin(file);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("New case"), trouble);
     }

@@ -57,9 +57,6 @@ class MainWindow : public QMainWindow {
     /// @param isFirst  as Documents::begin()
     /// @return false without one
     bool newCase(const QString& scene, bool isFirst = false);
-    /// The same from a case that remains without a file, as an example.
-    /// @return an empty string, or the fault
-    QString newCase(const CaseFile& file, bool isFirst = false);
     /// Writes a report of the current page's case, PDF or HTML by the suffix. The same return.
     QString writeReport(const QString& path, const Patience& patience = Patience());
 

@@ -186,7 +186,7 @@ void MainWindow::buildMenus() {
                           QKeySequence(Qt::CTRL | Qt::Key_R), [this] { exportReport(); });
     file->addSeparator();
     QAction* close = add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
-                         [this] { documents_->closeCurrent(); });
+                         [this] { documents_->close(documents_->current()); });
     file->addSeparator();
     add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { this->close(); });
 

@@ -19,6 +19,7 @@
 #include "methods/report.h"
 #include "model/case_document.h"
 #include "scene_tests.h"
+#include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shop/model/journal.h"
 #include "text/language.h"
@@ -60,7 +61,7 @@ class PageGolden : public ::testing::TestWithParam<std::tuple<std::string, const
         } else if (const auto example = filledBy.find(scene); example != filledBy.end()) {
             const QString path =
                 QDir(QString::fromUtf8(RAVNOVES_EXAMPLES)).filePath(QLatin1String(example->second));
-            ASSERT_EQ(window->newCase(CaseDocument::read(path)), QString());
+            ASSERT_EQ(window->documents().begin(CaseDocument::read(path)), QString());
         } else {
             ASSERT_TRUE(window->showScene(QString::fromStdString(scene)));
         }

@@ -191,7 +191,7 @@ TEST_F(DocumentsTest, NewBeginsATabOfTheScene) {
 TEST_F(DocumentsTest, NoCaseIsBegunFromABadOne) {
     CaseFile bad = CaseDocument::read(example(u"vr5-volkswagen"_s));
     bad.input = {{"cylinders", -1}};
-    EXPECT_NE(window->newCase(bad), QString());
+    EXPECT_NE(window->documents().begin(bad), QString());
     EXPECT_FALSE(window->newCase(u"balance-shift"_s));
 }
 
@@ -343,7 +343,7 @@ TEST_F(DocumentsTest, MethodsFollowTheCaseShownLastAndStayOnePage) {
 
 TEST_F(DocumentsTest, AJobBegunFromAnExampleIsKnownByItsNumber) {
     const CaseFile v8 = CaseDocument::read(example(u"bob-weights-v8"_s));
-    ASSERT_EQ(window->newCase(v8), QString());
+    ASSERT_EQ(window->documents().begin(v8), QString());
     const QString title = QString::fromStdString(v8.title);
     EXPECT_TRUE(window->windowTitle().startsWith(title));
     set(u"job/customer=Smith"_s);

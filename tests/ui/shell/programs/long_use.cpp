@@ -174,7 +174,7 @@ int main(int argc, char** argv) {
             std::printf("%s\n", qPrintable(trouble));
         }
         QApplication::processEvents();
-        window.documents().closeCurrent();
+        window.documents().close(window.documents().current());
         QApplication::processEvents();
     });
 
