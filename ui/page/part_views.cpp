@@ -81,33 +81,32 @@ void PartPlot::showReference(const Content* content, const QString& name) {
 
 namespace {
 
-using TextOfTable = QString (ResultTable::*)() const;
-
 /// What is to be known before what is copied is used.
 QString warningOf(const SceneModel& model) {
     const QString stop = model.stopText();
     return stop.isEmpty() ? messageText(rejectedNote(model)) : stop;
 }
 
-/// The parts of the answer in their order: tables as text, and their lines.
-QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
+}  // namespace
+
+QString answerOf(const QWidget& page, bool asCsv) {
     QString text;
     const std::vector<PartView*> views = PartView::below(page, false);
     if (views.empty()) {
         return text;
     }
     const SceneModel& model = *views.front()->partModel();
-    text = ResultTable::lineAbove(warningOf(model), !withLines);
+    text = ResultTable::lineAbove(warningOf(model), asCsv);
     for (const PagePart& part : model.parts()) {
         if (!part.isAnswer) {
             continue;
         }
         if (auto* table = dynamic_cast<PartTable*>(partView(page, part.id))) {
             table->make();  // seen or not
-            text += (table->*textOfTable)() + QLatin1Char('\n');
+            text += (asCsv ? table->asCsv() : table->asText()) + QLatin1Char('\n');
             continue;
         }
-        const Content content = withLines ? model.part(part.id) : Content();
+        const Content content = asCsv ? Content() : model.part(part.id);
         if (const auto* notes = std::get_if<Notes>(&content)) {
             for (const auto& [severity, line] : notes->lines) {
                 text += line + QLatin1Char('\n');
@@ -115,20 +114,10 @@ QString answer(const QWidget& page, TextOfTable textOfTable, bool withLines) {
         }
     }
     if (const auto verdict =
-            withLines && model.stopText().isEmpty() ? model.verdictShown() : std::nullopt) {
+            !asCsv && model.stopText().isEmpty() ? model.verdictShown() : std::nullopt) {
         text += messageText(verdict->text) + QLatin1Char('\n');
     }
     return text;
-}
-
-}  // namespace
-
-QString answerText(const QWidget& page) {
-    return answer(page, &ResultTable::asText, true);
-}
-
-QString answerCsv(const QWidget& page) {
-    return answer(page, &ResultTable::asCsv, false);
 }
 
 PartView* partView(const QWidget& page, std::string_view id) {

@@ -69,9 +69,8 @@ class PartPlot : public PlotView, public PartView {
     void showReference(const Content* content, const QString& name) override;
 };
 
-/// The answer below a widget, its lines and tables, as tab-separated text or as CSV.
-QString answerText(const QWidget& page);
-QString answerCsv(const QWidget& page);
+/// The answer below a widget: its tables as CSV, or as tab-separated text with its lines.
+QString answerOf(const QWidget& page, bool asCsv);
 
 /// What shows a part below a widget, and where that is a plot; null without one.
 PartView* partView(const QWidget& page, std::string_view id);

@@ -52,11 +52,11 @@ void ScenePage::followDrags(SceneModel* model) {
 }
 
 QString ScenePage::resultsAsText() const {
-    return answerText(*this);
+    return answerOf(*this, false);
 }
 
 QString ScenePage::resultsAsCsv() const {
-    return answerCsv(*this);
+    return answerOf(*this, true);
 }
 
 void ScenePage::setActive(bool active) {
