@@ -147,8 +147,15 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
 
 std::vector<InputNumber> inputNumbers(const SceneModel& model) {
     constexpr std::size_t longest = 12;
+    std::vector<std::string> named;
+    for (const FieldEntry& field : model.fields()) {
+        if (field.kind == FieldKind::number && !field.field.label.empty()) {
+            named.push_back(field.pointer);
+        }
+    }
+    Json input = model.inputJson();
+    model.giveDefaults(input, named);
     Leaves leaves;
-    const Json input = model.inputJson();
     collectLeaves(input, {}, leaves, longest);
     const FieldNames names = namesOf(model);
     std::vector<InputNumber> numbers;
@@ -166,28 +173,6 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
                            entry != nullptr ? unitText(entry->field.unit.name) : QString(),
                            value.get<double>(), names.find(pointer) != nullptr,
                            entry != nullptr ? names.shown(*entry) : ShownUnit{}});
-    }
-    // What the case leaves to its default, each behind the field before it.
-    std::size_t place = 0;
-    for (const FieldEntry& field : model.fields()) {
-        const auto there =
-            std::find_if(numbers.begin(), numbers.end(),
-                         [&](const InputNumber& each) { return each.pointer == field.pointer; });
-        if (there != numbers.end()) {
-            place = static_cast<std::size_t>(there - numbers.begin()) + 1;
-            continue;
-        }
-        const Json::json_pointer pointer(field.pointer);
-        if (field.kind == FieldKind::number && std::holds_alternative<double>(field.value) &&
-            !field.field.label.empty() && !field.field.is_setting && !input.contains(pointer) &&
-            input.contains(pointer.parent_pointer()) &&
-            input.at(pointer.parent_pointer()).is_object()) {
-            numbers.insert(
-                numbers.begin() + static_cast<std::ptrdiff_t>(place),
-                {field.pointer, names.name(field.pointer), unitText(field.field.unit.name),
-                 std::get<double>(field.value), true, names.shown(field)});
-            ++place;
-        }
     }
     return numbers;
 }

@@ -45,8 +45,8 @@ struct InputNumber {
     ShownUnit shown = {};  ///< in which the form shows it
 };
 
-/// The numbers of the present input that may take any value, in the order of the case file; long
-/// lists are left out, and Field::is_setting.
+/// The numbers of the present input that may take any value, in the order of the case file, each
+/// object's own defaults behind what it gives; long lists are left out, and Field::is_setting.
 std::vector<InputNumber> inputNumbers(const SceneModel& model);
 
 }  // namespace ravnoves
