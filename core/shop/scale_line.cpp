@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <regex>
 
 namespace ravnoves::shop {
 
@@ -45,107 +46,63 @@ const auto* row_of(const auto& table, const std::string& word) {
     return static_cast<decltype(&table[0])>(nullptr);
 }
 
-bool is_letter(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-           static_cast<unsigned char>(c) >= 0x80;
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-std::string take(std::string_view& line, std::size_t count) {
-    const std::string taken(line.substr(0, count));
-    line.remove_prefix(taken.size());
-    return taken;
-}
-
-/// Skips blanks and the commas between the parts. @return true where something is left
-bool skip_blanks(std::string_view& line) {
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t' ||
-                             (line.front() == ',' && !(line.size() > 1 && is_digit(line[1]))))) {
-        line.remove_prefix(1);
-    }
-    return !line.empty();
-}
-
-/// A question mark, or letters as capitals.
-std::string take_word(std::string_view& line) {
-    std::size_t count = 1;
-    while (is_letter(line.front()) && count < line.size() && is_letter(line[count])) {
-        ++count;
-    }
-    std::string word = take(line, count);
-    for (char& c : word) {
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    }
-    return word;
-}
-
-bool take_number(std::string_view& line, ScaleLine& said) {
-    std::string plain;
-    if (line.front() == '+' || line.front() == '-') {
-        plain = take(line, 1) == "-" ? "-" : "";
-        take(line, line.find_first_not_of(' '));
-    }
-    int digits = 0;
-    bool has_point = false;
-    while (!line.empty()) {
-        const char c = line.front();
-        const bool is_point =
-            (c == '.' || c == ',') && !has_point && line.size() > 1 && is_digit(line[1]);
-        if (!is_digit(c) && !is_point) {
-            break;
-        }
-        has_point = has_point || is_point;
-        digits += is_point ? 0 : 1;
-        said.decimals += !is_point && has_point ? 1 : 0;
-        plain += is_point ? '.' : c;
-        line.remove_prefix(1);
-    }
-    constexpr int max_digits = 12;
-    if (digits == 0 || digits > max_digits) {
-        return false;
-    }
-    std::from_chars(plain.data(), plain.data() + plain.size(), said.number);
-    return true;
-}
-
 }  // namespace
 
 double ScaleLine::last_digit() const {
     return std::pow(10.0, -decimals) * unit;
 }
 
-ScaleLine parse_scale_line(std::string_view line, const Unit& usual) {
+ScaleLine parse_scale_line(std::string_view text, const Unit& usual) {
+    // Behind blanks, and commas that are no decimal ones: S with what follows it, another word,
+    // both with their comma, or a number.
+    static const std::regex part(
+        R"((?:[ \t]|,(?!\d))*(?:(?:S(?![A-Z\x80-\xFF])(?:[ \t]|,(?!\d))*([^ ]+)|)"
+        R"(([A-Z\x80-\xFF]+|\?)),?|([+-]?) *(\d*)(?:[.,](\d+))?))");
     const auto is_margin = [](char c) { return static_cast<unsigned char>(c) <= 0x20; };
-    while (!line.empty() && is_margin(line.front())) {
-        line.remove_prefix(1);
+    while (!text.empty() && is_margin(text.front())) {
+        text.remove_prefix(1);
     }
-    while (!line.empty() && is_margin(line.back())) {
-        line.remove_suffix(1);
+    while (!text.empty() && (is_margin(text.back()) || text.back() == ',')) {
+        text.remove_suffix(1);
+    }
+    std::string line(text);
+    for (char& c : line) {
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     }
     ScaleLine said;
     said.unit = usual;
     bool has_number = false;
     bool has_unit = false;
     std::optional<Kind> kind;  // moving counts more than stable, what is no weight more than both
-    while (skip_blanks(line)) {
-        if (!is_letter(line.front()) && (line.front() != '?' || !has_number)) {
-            if (has_number || !take_number(line, said)) {
+    std::smatch found;
+    for (auto at = line.cbegin(); at != line.cend(); at = found[0].second) {
+        constexpr auto here = std::regex_constants::match_continuous;
+        if (!std::regex_search(at, line.cend(), found, part, here)) {
+            return said;
+        }
+        std::string word(found[1].matched ? "S:" : "");
+        word += found[found[1].matched ? 1 : 2];
+        if (found[1].matched && has_number) {
+            return said;
+        }
+        if (word.empty() || (word == "?" && !has_number)) {
+            constexpr std::ptrdiff_t max_digits = 12;
+            const auto digits = found[4].length() + found[5].length();
+            if (!word.empty() || has_number || digits == 0 || digits > max_digits) {
                 return said;
             }
+            std::string plain(found[3] == "-" ? "-" : "");
+            plain.append(found[4]).append(".").append(found[5]);
+            std::from_chars(plain.data(), plain.data() + plain.size(), said.number);
+            said.decimals = static_cast<int>(found[5].length());
             has_number = true;
             continue;
         }
-        std::string word = take_word(line);
         const auto* const unit = has_number && !has_unit ? row_of(unit_words, word) : nullptr;
         if (unit != nullptr) {
             has_unit = true;
             said.unit = unit->unit;
             continue;
-        }
-        if (word == "S" && !has_number && skip_blanks(line)) {
-            word += ":" + take(line, line.find(' '));
         }
         const auto* const mark = row_of(marks, word);
         if (mark == nullptr) {
@@ -158,7 +115,6 @@ ScaleLine parse_scale_line(std::string_view line, const Unit& usual) {
                 said.kind = *kind;
                 return said;
             }
-            take(line, line.starts_with(',') ? 1 : 0);
         }
     }
     if (!has_number) {
