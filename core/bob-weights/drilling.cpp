@@ -46,49 +46,44 @@ class Planner {
 
     double deepest(double diameter) const { return deepest_hole(diameter, cut_, limits_); }
 
-    /// Whether n holes of that depth have room.
-    bool fits(int n, double diameter, double depth) const {
-        return place(n, diameter, depth, [](double) {});
-    }
-
     /// n holes that take off the target, or as much as they can; nothing where they have no room
     /// or one alone would take off too much.
     std::optional<Pattern> pattern(int n, double diameter) const {
         const double maximum = deepest(diameter);
-        if (maximum < minimum_ || !fits(n, diameter, minimum_)) {
+        const auto smallest = maximum < minimum_ ? std::nullopt : taken(n, diameter, minimum_);
+        if (!smallest) {
             return std::nullopt;
         }
         // What n holes take off grows with the depth: their unbalance does, and where the spacing
         // grows it costs less than the depth brings as long as the holes are above the axis. It
         // falls alone where a hole has to leap over one of an earlier run.
-        const double room = roomy(n, diameter, maximum);
+        const auto may_be_deeper = [&](double depth) {
+            const auto there = taken(n, diameter, depth);
+            return there && *there <= target_;
+        };
         constexpr int steps = 32;
         double depth = minimum_;
         double low = minimum_;
-        double high = minimum_;
-        double best = taken(n, diameter, minimum_);
-        bool reaches = best > target_;
-        for (int i = 1; i <= steps && !reaches; ++i) {
-            low = high;
-            high = minimum_ + (room - minimum_) * i / steps;
-            const double there = taken(n, diameter, high);
-            reaches = there > target_;
-            if (there > best) {
-                best = there;
-                depth = high;
+        double best = *smallest;
+        for (int i = 1; i <= steps && best <= target_; ++i) {
+            double high = minimum_ + (maximum - minimum_) * i / steps;
+            const auto there = taken(n, diameter, high);
+            if (there && *there <= target_) {
+                depth = *there > best ? high : depth;
+                best = std::max(best, *there);
+                low = high;
+                continue;
             }
-        }
-        if (!reaches) {
-            depth = depth < room ? std::max(minimum_, stepped(depth)) : room;
-        } else {
-            for (int i = 0; i < 100 && high - low > 1e-12; ++i) {
+            for (int k = 0; k < 100 && high - low > 1e-12; ++k) {
                 const double middle = 0.5 * (low + high);
-                (taken(n, diameter, middle) > target_ ? high : low) = middle;
+                (may_be_deeper(middle) ? low : high) = middle;
             }
-            depth = rounded(n, diameter, 0.5 * (low + high), maximum);
+            depth = there || *taken(n, diameter, low) > best ? low : depth;
+            break;
         }
+        depth = rounded(n, diameter, depth, maximum);
         const Removed one = cut_.removed(diameter, depth);
-        return Pattern{n, diameter, depth, target_ - taken(n, diameter, depth), n * one.mass};
+        return Pattern{n, diameter, depth, target_ - *taken(n, diameter, depth), n * one.mass};
     }
 
     NoRoom room_for_one(double diameter, double depth) const {
@@ -96,7 +91,7 @@ class Planner {
         if (depth > deepest(diameter) + rounding) {
             return NoRoom::too_deep;
         }
-        const bool has_room = fits(1, diameter, depth);
+        const bool has_room = taken(1, diameter, depth).has_value();
         // A hole that is alone in the rim may reach the axis.
         if (!half_width(cut_, diameter, depth, limits_.minimum_wall) &&
             (cut_.axial_wall || !has_room)) {
@@ -123,12 +118,13 @@ class Planner {
     }
 
   private:
-    double stepped(double depth) const { return bob_weights::stepped(depth, limits_); }
-
-    double taken(int n, double diameter, double depth) const {
+    /// What n holes of a depth take off along the angle; nothing where they have no room.
+    std::optional<double> taken(int n, double diameter, double depth) const {
         double cosines = 0.0;
-        place(n, diameter, depth, [&](double offset) { cosines += std::cos(offset); });
-        return cut_.removed(diameter, depth).unbalance * cosines;
+        const bool fit =
+            place(n, diameter, depth, [&](double offset) { cosines += std::cos(offset); });
+        return fit ? std::optional(cut_.removed(diameter, depth).unbalance * cosines)
+                   : std::nullopt;
     }
 
     bool may_lie(double angle, double diameter, double depth) const {
@@ -194,29 +190,15 @@ class Planner {
         return offset;
     }
 
-    /// The deepest that n holes have room for; depth 0 has.
-    double roomy(int n, double diameter, double maximum) const {
-        if (fits(n, diameter, maximum)) {
-            return maximum;
-        }
-        double low = minimum_;
-        double high = maximum;
-        for (int i = 0; i < 60; ++i) {
-            const double middle = 0.5 * (low + high);
-            (fits(n, diameter, middle) ? low : high) = middle;
-        }
-        return std::max(minimum_, stepped(low));
-    }
-
+    /// To the nearer step that has room.
     double rounded(int n, double diameter, double depth, double maximum) const {
         if (limits_.depth_step <= 0.0) {
             return depth;
         }
-        const double below = std::max(minimum_, stepped(depth));
+        const double below = std::max(minimum_, stepped(depth, limits_));
         const double above = below + limits_.depth_step;
-        const bool can = above <= maximum + 1e-12 && fits(n, diameter, above);
-        return can && std::abs(taken(n, diameter, above) - target_) <
-                           std::abs(taken(n, diameter, below) - target_)
+        const auto there = above <= maximum + 1e-12 ? taken(n, diameter, above) : std::nullopt;
+        return there && std::abs(*there - target_) < std::abs(*taken(n, diameter, below) - target_)
                    ? above
                    : below;
     }
@@ -426,22 +408,33 @@ class Deepener {
         for (const Hole& hole : holes) {
             add(hole);
         }
-        present_.assign(all_.size(), 0);
+        for (const Taken& taken : limits.taken) {
+            Hole hole{};
+            hole.angle = taken.angle;
+            all_.push_back({hole, std::polar(1.0, taken.angle), {{0.0, 0.0, taken.half_width}}});
+        }
     }
 
     HolePlan plan(double enough, double limit) const {
-        Depths best = present_;
+        const Depths present(all_.size(), 0);
+        Depths best = present;
+        const auto is_enough = [&] {
+            return left(best) <= std::max(enough, std::min(steps_of(best), limit));
+        };
         // One hole, two, and then any two of them at a time as long as that helps.
-        for (const std::size_t count : {1, 2, 3}) {
-            const Depths found = count < 3 ? best_of(present_, count) : improved(best);
-            if (left(found) < left(best) - rounding) {
-                best = found;
+        constexpr int most = 22;
+        for (int round = 0; round < most; ++round) {
+            Depths found = best_of(round < 2 ? present : best, round > 0);
+            const bool helps = left(found) < left(best) - rounding;
+            if (helps) {
+                best = std::move(found);
             }
-            if (left(best) <= std::max(enough, std::min(steps_of(best), limit))) {
-                return {deepened(best), left(best), Shortfall::none};
+            if (round < 2 ? is_enough() : !helps) {
+                break;
             }
         }
-        return {deepened(best), left(best), Shortfall::too_little_room};
+        return {deepened(best), left(best),
+                is_enough() ? Shortfall::none : Shortfall::too_little_room};
     }
 
   private:
@@ -449,19 +442,16 @@ class Deepener {
     static constexpr int max_candidates = 12;
     using Depths = std::vector<std::size_t>;  // in steps beyond the present depth
 
+    struct Step {
+        double depth;                ///< m
+        double taken;                ///< beyond the present depth, kg·m
+        std::optional<double> half;  ///< of its width, wall included, rad
+    };
     struct Each {
         Hole hole;
         Vector along;
-        double step;                              ///< m
-        std::vector<double> taken;                ///< kg·m, by steps
-        std::vector<std::optional<double>> half;  ///< of its width, wall included, rad, by steps
+        std::vector<Step> steps;  ///< the present depth alone where it cannot be deepened
     };
-
-    double depth_of(const Each& each, std::size_t steps) const {
-        return steps == 0 ? each.hole.depth
-                          : stepped_grid(each.hole.depth) + static_cast<double>(steps) * each.step;
-    }
-    double stepped_grid(double depth) const { return stepped(depth, limits_); }
 
     void add(const Hole& hole) {
         const double away = std::abs(std::remainder(hole.angle - std::arg(unbalance_), 2.0 * pi));
@@ -469,13 +459,14 @@ class Deepener {
                          candidates_ < max_candidates;
         const double maximum = may ? deepest_hole(hole.diameter, cut_, limits_) : 0.0;
         candidates_ += maximum > hole.depth ? 1 : 0;
-        Each each{hole, std::polar(1.0, hole.angle), step_to(maximum - hole.depth), {}, {}};
+        Each each{hole, std::polar(1.0, hole.angle), {}};
+        const double step = step_to(maximum - hole.depth);
         const double now = cut_.removed(hole.diameter, hole.depth).unbalance;
-        for (std::size_t steps = 0; steps == 0 || depth_of(each, steps) <= maximum + rounding;
-             ++steps) {
-            const double depth = depth_of(each, steps);
-            each.taken.push_back(cut_.removed(hole.diameter, depth).unbalance - now);
-            each.half.push_back(half_width(cut_, hole.diameter, depth, limits_.minimum_wall));
+        double depth = hole.depth;
+        while (each.steps.empty() || depth <= maximum + rounding) {
+            each.steps.push_back({depth, cut_.removed(hole.diameter, depth).unbalance - now,
+                                  half_width(cut_, hole.diameter, depth, limits_.minimum_wall)});
+            depth = stepped(hole.depth, limits_) + static_cast<double>(each.steps.size()) * step;
         }
         all_.push_back(std::move(each));
     }
@@ -489,59 +480,49 @@ class Deepener {
                    : std::max(0.01e-3, minimum);
     }
 
-    double left(const Depths& depths) const {
+    Vector rest(const Depths& depths) const {
         Vector sum = unbalance_;
         for (std::size_t i = 0; i < all_.size(); ++i) {
-            sum -= all_[i].taken[depths[i]] * all_[i].along;
+            sum -= all_[i].steps[depths[i]].taken * all_[i].along;
         }
-        return std::abs(sum);
+        return sum;
     }
+    double left(const Depths& depths) const { return std::abs(rest(depths)); }
 
     /// What the rounding of the depths may leave.
     double steps_of(const Depths& depths) const {
         double sum = rounding;
         for (std::size_t i = 0; i < all_.size(); ++i) {
-            const auto& taken = all_[i].taken;
-            if (depths[i] > 0) {
-                sum += taken[depths[i]] - taken[depths[i] - 1];
-            }
+            const auto& steps = all_[i].steps;
+            sum += depths[i] > 0 ? steps[depths[i]].taken - steps[depths[i] - 1].taken : 0.0;
         }
         return sum;
     }
 
     /// Whether a hole keeps its walls to all that one of both is deepened for.
     bool fits(const Depths& depths, std::size_t i) const {
-        const auto& own = all_[i].half[depths[i]];
-        const auto is_clear = [&](double angle, const std::optional<double>& other) {
-            const double apart = std::abs(std::remainder(all_[i].hole.angle - angle, 2.0 * pi));
-            return own && other && apart >= *own + *other - rounding;
-        };
+        const auto& own = all_[i].steps[depths[i]].half;
         for (std::size_t k = 0; k < all_.size(); ++k) {
+            const auto& other = all_[k].steps[depths[k]].half;
+            const double apart =
+                std::abs(std::remainder(all_[i].hole.angle - all_[k].hole.angle, 2.0 * pi));
             if (k != i && (depths[i] > 0 || depths[k] > 0) &&
-                !is_clear(all_[k].hole.angle, all_[k].half[depths[k]])) {
+                !(own && other && apart >= *own + *other - rounding)) {
                 return false;
             }
         }
-        return depths[i] == 0 ||
-               std::all_of(limits_.taken.begin(), limits_.taken.end(), [&](const Taken& taken) {
-                   return is_clear(taken.angle, taken.half_width);
-               });
+        return true;
     }
 
     /// The best depth of one hole, the others as they are.
     void set_best(Depths& depths, std::size_t i) const {
         depths[i] = 0;
-        Vector rest = unbalance_;
-        for (std::size_t k = 0; k < all_.size(); ++k) {
-            rest -= all_[k].taken[depths[k]] * all_[k].along;
-        }
         // What lies along the hole; of the steps beside it the nearer one, as deep as walls allow.
-        const double wanted = std::real(rest * std::conj(all_[i].along));
-        const auto& taken = all_[i].taken;
-        const auto above = static_cast<std::size_t>(
-            std::lower_bound(taken.begin(), taken.end(), wanted) - taken.begin());
-        std::size_t steps = std::min(above, taken.size() - 1);
-        if (steps > 0 && wanted - taken[steps - 1] < std::abs(taken[steps] - wanted)) {
+        const double wanted = std::real(rest(depths) * std::conj(all_[i].along));
+        const auto& all = all_[i].steps;
+        const auto above = std::ranges::lower_bound(all, wanted, {}, &Step::taken) - all.begin();
+        auto steps = std::min(static_cast<std::size_t>(above), all.size() - 1);
+        if (steps > 0 && wanted - all[steps - 1].taken < std::abs(all[steps].taken - wanted)) {
             --steps;
         }
         const auto may = [&](std::size_t depth) {
@@ -559,25 +540,8 @@ class Deepener {
         depths[i] = low;
     }
 
-    /// The best depths of two holes, the others as they are.
-    void set_best(Depths& depths, std::size_t i, std::size_t k) const {
-        Depths best = depths;
-        depths[k] = 0;
-        for (std::size_t steps = 0; steps < all_[i].taken.size(); ++steps) {
-            depths[i] = steps;
-            depths[k] = 0;
-            if (!fits(depths, i)) {
-                break;
-            }
-            set_best(depths, k);
-            if (left(depths) < left(best) - rounding) {
-                best = depths;
-            }
-        }
-        depths = std::move(best);
-    }
-
-    Depths best_of(const Depths& from, std::size_t count) const {
+    /// The best depth of one hole, or of two, the others as they are.
+    Depths best_of(const Depths& from, bool two) const {
         Depths best = from;
         const auto take = [&](const Depths& found) {
             if (left(found) < left(best) - rounding) {
@@ -585,33 +549,27 @@ class Deepener {
             }
         };
         for (std::size_t i = 0; i < all_.size(); ++i) {
-            if (all_[i].taken.size() == 1) {
+            if (all_[i].steps.size() == 1) {
                 continue;
             }
-            Depths one = from;
-            set_best(one, i);
-            take(one);
-            for (std::size_t k = 0; count == 2 && k < i; ++k) {
-                if (all_[k].taken.size() == 1) {
-                    continue;
+            Depths depths = from;
+            set_best(depths, i);
+            take(depths);
+            for (std::size_t k = 0; two && k < i; ++k) {
+                depths = from;
+                for (std::size_t step = 0; all_[k].steps.size() > 1 && step < all_[i].steps.size();
+                     ++step) {
+                    depths[i] = step;
+                    depths[k] = 0;
+                    if (!fits(depths, i)) {
+                        break;
+                    }
+                    set_best(depths, k);
+                    take(depths);
                 }
-                Depths two = from;
-                set_best(two, i, k);
-                take(two);
             }
         }
         return best;
-    }
-
-    Depths improved(Depths depths) const {
-        for (int round = 0; round < 20; ++round) {
-            Depths next = best_of(depths, 2);
-            if (!(left(next) < left(depths) - rounding)) {
-                break;
-            }
-            depths = std::move(next);
-        }
-        return depths;
     }
 
     std::vector<Hole> deepened(const Depths& depths) const {
@@ -619,11 +577,12 @@ class Deepener {
         for (std::size_t i = 0; i < all_.size(); ++i) {
             if (depths[i] > 0) {
                 Hole hole = all_[i].hole;
+                const Step& step = all_[i].steps[depths[i]];
                 hole.from_depth = hole.depth;
-                hole.depth = depth_of(all_[i], depths[i]);
+                hole.depth = step.depth;
                 hole.mass = cut_.removed(hole.diameter, hole.depth).mass -
                             cut_.removed(hole.diameter, hole.from_depth).mass;
-                hole.unbalance = all_[i].taken[depths[i]];
+                hole.unbalance = step.taken;
                 list.push_back(hole);
             }
         }
@@ -635,7 +594,6 @@ class Deepener {
     HoleLimits limits_;
     std::vector<Each> all_;
     int candidates_ = 0;
-    Depths present_;
 };
 
 }  // namespace
