@@ -71,7 +71,7 @@ class PlanePlanner {
             if (slug_before.is_axial) {
                 cut.axial_wall = limits_.minimum_wall;
             }
-            take(slug_before, cut);
+            take(slug_before, cut, limits_);
         }
         for (const Hole& hole : before.holes) {
             keep_deepest(hole);
@@ -144,35 +144,23 @@ class PlanePlanner {
         std::vector<Hole> at_hand;  // holes with a drill to deepen them
         HoleLimits beside_others = limits_;
         for (const Hole& hole : there_) {
-            if (has_drill(hole.diameter)) {
+            if (correction_.deepens && has_drill(hole.diameter)) {
                 at_hand.push_back(hole);
             } else {
                 take(hole, cut_, beside_others);
             }
         }
-        const HolePlan deeper =
-            correction_.deepens
-                ? plan_deepening(unbalance, at_hand, cut_, beside_others,
-                                 to_zero ? 0.1 * tolerance_ : tolerance_,
-                                 has_limit() ? tolerance_ : std::numeric_limits<double>::infinity())
-                : HolePlan{{}, std::abs(unbalance), Shortfall::too_little_room};
+        const HolePlan deeper = plan_deepening(
+            unbalance, at_hand, cut_, beside_others, to_zero ? 0.1 * tolerance_ : tolerance_,
+            has_limit() ? tolerance_ : std::numeric_limits<double>::infinity());
         const double good = std::max(to_zero ? 0.5 * tolerance_ : tolerance_, 0.0);
         if (deeper.shortfall == Shortfall::none || deeper.left <= good) {
             return {{deeper.holes, {}}, Shortfall::none};
         }
-        HoleLimits limits = limits_;
-        for (const Hole& hole : there_) {
-            const bool is_deepened =
-                std::any_of(deeper.holes.begin(), deeper.holes.end(),
-                            [&](const Hole& each) { return each.deepens == hole.deepens; });
-            if (!is_deepened) {
-                take(hole, cut_, limits);
-            }
-        }
+        const HoleLimits limits = beside_all();
         HoleLimits beside = limits;
         for (const Hole& hole : deeper.holes) {
             take(hole, cut_, beside);
-            take(at_depth_before(hole), cut_, limits);
         }
         const Planned fresh = plan_new(unbalance, limits);
         if (deeper.holes.empty()) {
@@ -267,15 +255,10 @@ class PlanePlanner {
         }
         return limits;
     }
-    static Hole at_depth_before(Hole hole) {
-        hole.depth = hole.from_depth;
-        return hole;
-    }
     void take(const Hole& hole, const Cut& cut, HoleLimits& limits) const {
         limits.taken.push_back(
             {hole.angle, half_width(cut, hole.diameter, hole.depth, limits.minimum_wall)});
     }
-    void take(const Hole& hole, const Cut& cut) { take(hole, cut, limits_); }
 
     /// A hole that was deepened is in the record more than once.
     void keep_deepest(const Hole& hole) {
