@@ -220,31 +220,13 @@ class PlanePlanner {
         const HoleLimits limits = beside_all();
         const double diameter = *correction_.slug->diameter;
         const Number size{diameter / units::mm, units::mm, -2};
-        const Number place{angle / degree, units::degree, -1};
-        const Number wall{limits.minimum_wall / units::mm, units::mm, -1};
-        switch (room_at(angle, into_, diameter, smallest_hole(limits), limits)) {
-            case NoRoom::too_deep:
-                return {
-                    into_.axial_wall
-                        ? Text::tr("No slug of ⌀ %1 fits: the counterweight is too thin, with "
-                                   "a maximum depth of %2.")
-                        : Text::tr("No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
-                    size, Number{limits.maximum_depth / units::mm, units::mm, -2}};
-            case NoRoom::behind_wall:
-                return {Text::tr("No slug of ⌀ %1 fits: a wall of %2 leaves it no room."), size,
-                        wall};
-            case NoRoom::in_sector:
-                return {Text::tr("No slug of ⌀ %1 fits at %2: its edge would be beyond the "
-                                 "drilling sector."),
-                        size, place};
-            case NoRoom::beside_hole:
-                return {Text::tr("No slug of ⌀ %1 fits at %2: a hole is too near for a wall of "
-                                 "%3."),
-                        size, place, wall};
-            case NoRoom::none:
-                break;
+        const NoRoom missing = room_at(angle, into_, diameter, smallest_hole(limits), limits);
+        if (missing == NoRoom::none) {
+            return {Text::tr("Even the shortest slug of ⌀ %1 adds too much."), size};
         }
-        return {Text::tr("Even the shortest slug of ⌀ %1 adds too much."), size};
+        return shop::two_sentences({Text::tr("No slug of ⌀ %1 fits at %2."), size,
+                                    Number{angle / degree, units::degree, -1}},
+                                   describe(missing, limits.maximum_depth));
     }
 
     /// Clear of all that is there.
@@ -402,6 +384,16 @@ bool are_one_hole(const Hole& a, const Hole& b, double radius) {
     constexpr double apart = 2.0 * units::mm;  // more than a degree at the rim
     return a.diameter == b.diameter &&
            radius * std::abs(std::remainder(a.angle - b.angle, 2.0 * pi)) < apart;
+}
+
+Message describe(NoRoom missing, double maximum_depth) {
+    static constexpr Text words[] = {{},
+                                     Text::tr("Too deep: the maximum depth is %1."),
+                                     Text::tr("Too deep: no wall remains to the other holes."),
+                                     Text::tr("The hole is outside the drilling sector."),
+                                     Text::tr("Another hole is too near.")};  // as NoRoom
+    return {words[static_cast<std::size_t>(missing)],
+            Number{maximum_depth / units::mm, units::mm, -2}};
 }
 
 TriedRoom room_for(const Hole& hole, const Plane& plane, const Correction& correction,

@@ -16,6 +16,9 @@ std::complex<double> effect_of(const Metal& metal);
 /// and no drill runs far beside the hole that it deepens.
 bool are_one_hole(const Hole& a, const Hole& b, double radius);
 
+/// Why there is no room, as a sentence.
+Message describe(NoRoom missing, double maximum_depth);
+
 /// Whether a hole that somebody thinks of has room by the rules of the plan, but for the steps of
 /// its depth and the smallest one.
 struct TriedRoom {

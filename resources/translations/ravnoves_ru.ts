@@ -4505,24 +4505,24 @@
         <translation>&amp;Нижняя головка одного шатуна</translation>
     </message>
     <message>
-        <source>No slug of ⌀ %1 fits: the maximum depth of %2 is too small.</source>
-        <translation>Вставка ⌀ %1 не помещается: мала максимальная глубина %2.</translation>
+        <source>No slug of ⌀ %1 fits at %2.</source>
+        <translation>Вставка ⌀ %1 не помещается под углом %2.</translation>
     </message>
     <message>
-        <source>No slug of ⌀ %1 fits: the counterweight is too thin, with a maximum depth of %2.</source>
-        <translation>Вставка ⌀ %1 не помещается: противовес слишком тонок, максимальная глубина %2.</translation>
+        <source>Too deep: the maximum depth is %1.</source>
+        <translation>Слишком глубоко: максимальная глубина %1.</translation>
     </message>
     <message>
-        <source>No slug of ⌀ %1 fits: a wall of %2 leaves it no room.</source>
-        <translation>Вставка ⌀ %1 не помещается: стенка %2 не оставляет ей места.</translation>
+        <source>Too deep: no wall remains to the other holes.</source>
+        <translation>Слишком глубоко: стенки до других отверстий не остаётся.</translation>
     </message>
     <message>
-        <source>No slug of ⌀ %1 fits at %2: its edge would be beyond the drilling sector.</source>
-        <translation>Вставка ⌀ %1 не помещается под углом %2: её край вышел бы за сектор сверления.</translation>
+        <source>The hole is outside the drilling sector.</source>
+        <translation>Отверстие вне сектора сверления.</translation>
     </message>
     <message>
-        <source>No slug of ⌀ %1 fits at %2: a hole is too near for a wall of %3.</source>
-        <translation>Вставка ⌀ %1 не помещается под углом %2: для стенки %3 слишком близко отверстие.</translation>
+        <source>Another hole is too near.</source>
+        <translation>Слишком близко другое отверстие.</translation>
     </message>
     <message>
         <source>Even the shortest slug of ⌀ %1 adds too much.</source>
@@ -10685,24 +10685,12 @@ but at this l no α is feasible</source>
         <translation>Имеющееся отверстие</translation>
     </message>
     <message>
-        <source>Another hole is too near. Choose another angle.</source>
-        <translation>Слишком близко другое отверстие. Выберите другой угол.</translation>
-    </message>
-    <message>
         <source>Available drills</source>
         <translation>Имеющиеся свёрла</translation>
     </message>
     <message>
         <source>Try a hole</source>
         <translation>Проверить отверстие</translation>
-    </message>
-    <message>
-        <source>Too deep: the maximum depth is %1.</source>
-        <translation>Слишком глубоко: максимальная глубина %1.</translation>
-    </message>
-    <message>
-        <source>Too deep: no wall remains to the other holes.</source>
-        <translation>Слишком глубоко: стенки до других отверстий не остаётся.</translation>
     </message>
     <message>
         <source>%1: residual %2 at %3.</source>
@@ -10731,10 +10719,6 @@ but at this l no α is feasible</source>
     <message>
         <source>Only for a hole that the first readings contain. New holes keep clear of this hole; it may be deepened.</source>
         <translation>Только для отверстия, которое уже вошло в первые показания. Новые отверстия обходят его; его можно углубить.</translation>
-    </message>
-    <message>
-        <source>The hole is outside the drilling sector.</source>
-        <translation>Отверстие вне сектора сверления.</translation>
     </message>
 </context>
 <context>

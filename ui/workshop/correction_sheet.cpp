@@ -149,24 +149,9 @@ void CorrectionSheet::showWhatIf() {
         return;
     }
     const Words words;
-    const auto hindrance = [&] {
-        switch (left->room.missing) {
-            case NoRoom::beside_hole:
-                return tr("Another hole is too near. Choose another angle.");
-            case NoRoom::in_sector:
-                return tr("The hole is outside the drilling sector.");
-            case NoRoom::too_deep:
-                return tr("Too deep: the maximum depth is %1.")
-                    .arg(words.plainWithUnit(left->room.maximum_depth, units::mm, 2));
-            case NoRoom::behind_wall:
-                return tr("Too deep: no wall remains to the other holes.");
-            case NoRoom::none:
-                break;
-        }
-        return QString();
-    }();
-    if (!hindrance.isEmpty()) {
-        showOrHide(whatIfLine_, hindrance);
+    const TriedRoom& room = left->room;
+    if (room.missing != NoRoom::none) {
+        showOrHide(whatIfLine_, words.message(describe(room.missing, room.maximum_depth)));
     } else {
         const QString verdict = verdictText(words, verdictWord(left->within_tolerance, {}));
         const QString said =

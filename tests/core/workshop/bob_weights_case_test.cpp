@@ -359,20 +359,28 @@ TEST(Correction, SaysWhyMoreRemainsThanMay) {
          {{"/correction/drill/maximum_depth_mm", 4}},
          "A slug of 11340 kg/m³ of maximum depth is lighter than the crankshaft metal (7850 "
          "kg/m³)"},
-        {20'000, {20, 300}, heavy, deep, "fits: the maximum depth of "},
-        {20'000, {20, 300}, axial, deep, "fits: the counterweight is too thin, with a maximum "},
+        {20'000,
+         {20, 300},
+         heavy,
+         deep,
+         "fits at 220.0°. Too deep: the maximum depth is 30.00 mm."},
+        {20'000,
+         {20, 300},
+         axial,
+         deep,
+         "fits at 220.0°. Too deep: the maximum depth is 30.00 mm."},
         {20'000,
          {20, 300},
          axial,
          {{"/correction/drill/minimum_wall_mm", 75}},
-         "fits: a wall of 75.0 mm leaves it no room."},
-        {20'000, {216, 224}, heavy, {}, "fits at 220.0°: its edge would be beyond the"},
+         "fits at 220.0°. Too deep: no wall remains to the other holes."},
+        {20'000, {216, 224}, heavy, {}, "fits at 220.0°. The hole is outside the drilling sector."},
         // A pair at its sides would be beyond the sector.
         {20'000,
          {205, 235},
          heavy,
          {{"/correction/earlier_runs", earlier}},
-         "fits at 220.0°: a hole is too near for a wall of 3.0 mm."},
+         "fits at 220.0°. Another hole is too near."},
     };
     for (const auto& [unbalance, sector, slug, more, said] : rows) {
         Json input = with_correction();
