@@ -366,30 +366,24 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
     const double inwards = before <= behind ? 1.0 : -1.0;
     const double away = is_inside ? 0.0 : std::min(before, behind);
     constexpr double step = 1.0 * degree;
-    const double width = turn_of(to - from) > 0.0 ? turn_of(to - from) : 2.0 * pi;
-    const auto try_at = [&](double apart, double across) {
-        const double along =
-            across < tolerance ? std::sqrt(tolerance * tolerance - across * across) : -1.0;
-        HolePlan plan = plan_holes(target * std::cos(apart), turn_of(angle + apart), cut, diameters,
-                                   limits, along);
-        const double left = std::hypot(across, plan.left);
-        if (plan.holes.empty() || left >= best.left) {
-            return false;
-        }
-        const bool is_enough = plan.shortfall == Shortfall::none && across < tolerance;
-        best = {std::move(plan.holes), left,
-                is_enough   ? Shortfall::none
-                : is_inside ? Shortfall::too_little_room
-                            : Shortfall::beside_sector};
-        return is_enough;
-    };
-    for (int i = 0; i * step <= width && away + i * step < 0.5 * pi; ++i) {
-        const double apart = away + i * step;
+    for (double apart = away; apart < 0.5 * pi; apart += step) {
         const double across = target * std::sin(apart);
-        // What no hole there takes off, nor further in, or that is enough.
-        if (across >= best.left || try_at(inwards * apart, across) ||
-            (is_inside && try_at(-inwards * apart, across))) {
-            break;
+        const bool is_enough = across < tolerance;
+        const double along = is_enough ? std::sqrt(tolerance * tolerance - across * across) : -1.0;
+        for (const double side : {inwards, -inwards}) {
+            // What no hole there takes off, nor further in, or that is enough.
+            if (across >= best.left || best.shortfall == Shortfall::none) {
+                return best;
+            }
+            HolePlan plan = plan_holes(target * std::cos(apart), turn_of(angle + side * apart), cut,
+                                       diameters, limits, along);
+            const double left = std::hypot(across, plan.left);
+            if (!plan.holes.empty() && left < best.left) {
+                best = {std::move(plan.holes), left,
+                        is_enough && plan.shortfall == Shortfall::none ? Shortfall::none
+                        : is_inside                                    ? Shortfall::too_little_room
+                                                                       : Shortfall::beside_sector};
+            }
         }
     }
     return best;

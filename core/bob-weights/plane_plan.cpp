@@ -287,35 +287,30 @@ class PlanePlanner {
                                                                                  : found;
     }
 
-    HolePlan plan_slugs(double target, double angle, const HoleLimits& limits) const {
-        const Slug& slug = *correction_.slug;
-        if (!limits.allows(angle)) {
-            return {{}, target, Shortfall::outside_sector};
+    /// Slugs opposite what the holes leave.
+    void press_slugs(Vector unbalance, Planned& planned, const HoleLimits& limits) const {
+        const Vector rest = unbalance + effect_of(planned.metal);
+        const double target = std::abs(rest);
+        if (!has_slugs_ || target <= std::max(tolerance_, 0.0)) {
+            return;
         }
-        if (is_light(*slug.density, correction_.drill.density)) {
-            return {{}, target, Shortfall::light_slugs};
+        const double angle = turn_of(std::arg(rest) + pi);
+        const double size[] = {*correction_.slug->diameter};
+        HolePlan slugs{{}, target, Shortfall::light_slugs};
+        if (!limits.allows(angle) || !is_light(*into_.slug_density, correction_.drill.density)) {
+            slugs = within_limit([&](double enough) {
+                return plan_holes(target, angle, into_, size, limits, enough);
+            });
         }
-        const double size[] = {*slug.diameter};
-        HolePlan slugs = within_limit(
-            [&](double enough) { return plan_holes(target, angle, into_, size, limits, enough); });
         for (Hole& hole : slugs.holes) {
             hole.is_axial = into_.axial_wall.has_value();
         }
         const double deepest = limits.maximum_depth;
-        if (slugs.holes.empty() && deepest > 0.0 && into_.lever(*slug.diameter, deepest) > 0.0 &&
-            into_.removed(*slug.diameter, deepest).unbalance <= 0.0) {
+        if (slugs.holes.empty() && limits.allows(angle) && deepest > 0.0 &&
+            slugs.shortfall != Shortfall::light_slugs && into_.lever(size[0], deepest) > 0.0 &&
+            into_.removed(size[0], deepest).unbalance <= 0.0) {
             slugs.shortfall = Shortfall::short_slugs;
         }
-        return slugs;
-    }
-
-    /// Slugs opposite what the holes leave.
-    void press_slugs(Vector unbalance, Planned& planned, const HoleLimits& limits) const {
-        const Vector rest = unbalance + effect_of(planned.metal);
-        if (!has_slugs_ || std::abs(rest) <= std::max(tolerance_, 0.0)) {
-            return;
-        }
-        HolePlan slugs = plan_slugs(std::abs(rest), turn_of(std::arg(rest) + pi), limits);
         planned.metal.slugs = std::move(slugs.holes);
         planned.shortfall = shortfall_of_both(planned.shortfall, slugs.shortfall);
     }
