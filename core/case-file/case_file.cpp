@@ -1,6 +1,7 @@
 #include "case-file/case_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <unordered_set>
 #include <utility>
 
@@ -248,6 +249,35 @@ Json write_case(const CaseFile& file) {
         }
     }
     return document;
+}
+
+void set_input_value(Json& input, const std::string& pointer, Json value) {
+    Json* place = &input;
+    for (const std::string& key : keys_of(pointer)) {
+        if (place->is_null()) {
+            *place = Json::object();
+        }
+        if (place->is_array()) {
+            // The library fills a list up to the place that is asked for, whatever memory it takes.
+            std::size_t index = place->size();
+            const char* const last = key.data() + key.size();
+            const auto [stopped, fault] = std::from_chars(key.data(), last, index);
+            if (key != "-" && (fault != std::errc{} || stopped != last || index > place->size())) {
+                throw InputError(
+                    "/input" + printable(pointer),
+                    {Text::tr("is not in the list, which has %1 elements"), place->size()});
+            }
+            if (index == place->size()) {
+                place->push_back(nullptr);
+            }
+            place = &place->at(index);
+        } else if (place->is_object()) {
+            place = &(*place)[key];
+        } else {
+            throw InputError::unknown_key("/input" + printable(pointer));
+        }
+    }
+    *place = std::move(value);
 }
 
 }  // namespace ravnoves

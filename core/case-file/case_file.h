@@ -47,4 +47,9 @@ Json write_case(const CaseFile& file);
 /// @throws InputError
 Json parse_json(std::string_view text);
 
+/// Sets a value of a case's input at a JSON pointer below it ("/torque/torque_Nm/3"). Objects on
+/// the way are made; a list grows by one element at most.
+/// @throws InputError where the pointer leads nowhere
+void set_input_value(Json& input, const std::string& pointer, Json value);
+
 }  // namespace ravnoves

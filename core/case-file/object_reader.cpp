@@ -60,10 +60,19 @@ std::string escape_segment(std::string_view key) {
 
 bool is_inner_pointer(const std::string& text) {
     try {
-        return !Json::json_pointer(text).empty();
+        return !keys_of(text).empty();
     } catch (const Json::exception&) {
         return false;
     }
+}
+
+std::vector<std::string> keys_of(const std::string& pointer) {
+    std::vector<std::string> keys;
+    for (Json::json_pointer rest(pointer); !rest.empty(); rest.pop_back()) {
+        keys.push_back(rest.back());
+    }
+    std::reverse(keys.begin(), keys.end());
+    return keys;
 }
 
 std::string printable(std::string_view text, std::size_t longest) {

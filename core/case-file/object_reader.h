@@ -72,6 +72,9 @@ std::string escape_segment(std::string_view key);
 
 /// Whether a text is a JSON pointer to something within a document.
 bool is_inner_pointer(const std::string& text);
+/// The keys on the way of a JSON pointer.
+/// @throws Json::exception for another text
+std::vector<std::string> keys_of(const std::string& pointer);
 
 /// A text of the user's as a message shows it: control characters as \u001b, which a terminal does
 /// not obey, also those that turn the direction of letters; cut after `longest` bytes.

@@ -132,11 +132,6 @@ class ResultIndex final : public ResultVisitor {
     std::vector<ResultEntry> entries_;
 };
 
-/// Whatever is around it is an object, a list too.
-Json& place_in(Json& picked, const Json::json_pointer& pointer) {
-    return pointer.empty() ? picked : place_in(picked, pointer.parent_pointer())[pointer.back()];
-}
-
 /// A pointer as a message shows it: one line of text, whatever its bytes are.
 std::string shown(const std::string& pointer) {
     const std::string quoted = Json(pointer).dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -191,7 +186,11 @@ Json Wanted::pick(Json result) const {
             })) {
             continue;
         }
-        place_in(picked, pointer) = result.at(pointer);
+        Json* place = &picked;
+        for (const std::string& key : keys_of(text)) {
+            place = &(*place)[key];
+        }
+        *place = result.at(pointer);
     }
     return picked;
 }

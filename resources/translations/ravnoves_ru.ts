@@ -981,6 +981,10 @@
         <translation>задано дважды</translation>
     </message>
     <message>
+        <source>is not in the list, which has %1 elements</source>
+        <translation>нет в списке, в нём элементов: %1</translation>
+    </message>
+    <message>
         <source>must be a file, not a pipe or a device</source>
         <translation>должен быть файлом, а не каналом и не устройством</translation>
     </message>

@@ -260,14 +260,7 @@ void SceneModel::setByKey(const QString& key, const QString& value) {
         parsed = value.toStdString();  // a bare word
     }
     try {
-        const Json::json_pointer place(path);
-        if (input.contains(place)) {
-            input.at(place) = parsed;
-        } else {
-            Json change;
-            change[place] = parsed;
-            input.merge_patch(change);
-        }
+        set_input_value(input, path, parsed);
     } catch (const Json::exception&) {  // "~" with neither 0 nor 1
         throw InputError::unknown_key("/input" + path);
     }

@@ -140,6 +140,23 @@ TEST(ObjectReader, ShowsKeysAndValuesPrintableAndShort) {
     EXPECT_EQ(quoted_list({escape}).english(), R"("\u001b[2J\u000a\u007f\u009b")");
 }
 
+TEST(SetInputValue, MakesWhatIsMissingButNoGapInAList) {
+    Json input = parse_json(R"({"a": [1, {"b": 2}], "c": 3})");
+    set_input_value(input, "/a/1/b", 4);
+    set_input_value(input, "/a/2", 5);
+    set_input_value(input, "/d/e~1f", "x");
+    EXPECT_EQ(input.dump(), R"({"a":[1,{"b":4},5],"c":3,"d":{"e/f":"x"}})");
+    const auto rejection = [&](const char* pointer) {
+        return error_of([&] { set_input_value(input, pointer, 1); });
+    };
+    // 900 million numbers would be made first.
+    EXPECT_EQ(rejection("/a/900000000"),
+              "/input/a/900000000: is not in the list, which has 3 elements");
+    EXPECT_EQ(rejection("/a/x"), "/input/a/x: is not in the list, which has 3 elements");
+    EXPECT_EQ(rejection("/c/d"), "/input/c/d: is not a known key");
+    EXPECT_EQ(input.at("a").size(), 3U);
+}
+
 TEST(ParseJson, SaysThatAnEmptyFileIsEmpty) {
     EXPECT_EQ(error_of([] { parse_json(""); }), "is empty");
     EXPECT_EQ(error_of([] { parse_json(" \r\n\t"); }), "is empty");
