@@ -68,13 +68,20 @@ double margin_within(const PlaceLimits& limits, double x, double y) {
 }
 
 Message contradiction(const PlaceLimits& limits) {
-    const auto cross = [](const std::optional<double>& from, const std::optional<double>& to) {
-        return from && to && *from > *to;
-    };
-    return cross(limits.centre_distance_min, limits.centre_distance_max) ||
-                   cross(limits.left, limits.right) || cross(limits.bottom, limits.top)
-               ? Message(Text::tr("The limits contradict each other: %1."), named(limits))
-               : Message();
+    using Limit = std::optional<double> PlaceLimits::*;
+    constexpr std::pair<Limit, Limit> pairs[] = {
+        {&PlaceLimits::centre_distance_min, &PlaceLimits::centre_distance_max},
+        {&PlaceLimits::left, &PlaceLimits::right},
+        {&PlaceLimits::bottom, &PlaceLimits::top}};
+    for (const auto& [from, to] : pairs) {
+        if (limits.*from && limits.*to && *(limits.*from) > *(limits.*to)) {
+            PlaceLimits crossed;
+            crossed.*from = limits.*from;
+            crossed.*to = limits.*to;
+            return {Text::tr("The limits contradict each other: %1."), named(crossed)};
+        }
+    }
+    return {};
 }
 
 double distance_from_cylinder(const FrontView& view, double x, double y) {

@@ -117,7 +117,7 @@ Message flat_note(const Moments& moments, const AngleMinimum& best) {
     const Number from = end(-1.0);
     const Number to = end(1.0);
     return from.value != to.value
-               ? Message(Text::tr("The range is the same from %1 to %2."), from, to)
+               ? Message(Text::tr("The range is the same at least from %1 to %2."), from, to)
                : Message();
 }
 

@@ -86,6 +86,9 @@ std::string printable(std::string_view text, std::size_t longest) {
         while (count < std::min(length, text.size()) && (byte(count) & 0xC0U) == 0x80U) {
             code = code << 6U | (byte(count++) & 0x3FU);
         }
+        if (count < length) {
+            code = 0xFFFDU;  // a broken character is shown as it is
+        }
         const auto is_from = [code](unsigned first, unsigned last) {
             return code >= first && code <= last;
         };

@@ -2901,8 +2901,8 @@
         <translation>Угол вала не влияет на размах.</translation>
     </message>
     <message>
-        <source>The range is the same from %1 to %2.</source>
-        <translation>Размах одинаков от %1 до %2.</translation>
+        <source>The range is the same at least from %1 to %2.</source>
+        <translation>Размах одинаков по крайней мере от %1 до %2.</translation>
     </message>
     <message>
         <source>The tipping moment has no first order: the angle of the shaft does not affect the RMS.</source>

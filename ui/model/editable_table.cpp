@@ -140,7 +140,8 @@ void EditableTable::setTaken(int row, int column, const std::vector<QStringList>
     if (rejected_.empty()) {
         return;
     }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    // Rows may have gone by what was taken.
+    for (std::size_t i = 0; i < cells.size() && row + static_cast<int>(i) < rowCount(); ++i) {
         for (int j = 0; j < cells[i].size(); ++j) {
             rejected_.erase({rowName(row + static_cast<int>(i)), column + j});
         }

@@ -223,6 +223,7 @@ Recovery::Found Recovery::leftBehind() {
         }
         ++files;
         QString file = newFile();
+        const QDateTime saved = left.lastModified();  // asked of the file, while it has this name
         if (!QFile::rename(left.filePath(), file)) {
             if (!QFile::exists(left.filePath())) {
                 continue;  // another program was faster
@@ -232,7 +233,7 @@ Recovery::Found Recovery::leftBehind() {
         try {
             RecoveredCase kept = readKept(file);
             kept.file = file;
-            kept.saved = left.lastModified();
+            kept.saved = saved;
             found.cases << std::move(kept);
         } catch (const std::bad_alloc&) {
             QFile::rename(file, left.filePath());  // whole, for a machine that has the memory

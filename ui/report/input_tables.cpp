@@ -41,7 +41,7 @@ QString numberText(double number, const ShownUnit& unit = {}) {
 }
 
 constexpr std::size_t few = 12;          ///< values that are in one cell
-constexpr std::size_t maxPrinted = 100;  ///< rows of a longer list; beyond them its bounds
+constexpr std::size_t maxPrinted = 400;  ///< rows of a longer list; beyond them its bounds
 
 bool isNumbers(const Json& value) {
     return value.is_array() && std::all_of(value.begin(), value.end(),
@@ -138,23 +138,49 @@ class Inputs {
         numberLists(json, pointer);
     }
 
-    /// The long lists of numbers of an object: those of one length are the columns of one table.
+    /// The long lists of numbers of an object. Those of one length are the columns of one table,
+    /// whose parts stand side by side; a list alone has the numbers of its values.
     void numberLists(const Json& json, const std::string& pointer) {
-        std::map<std::size_t, Table> byLength;
+        std::map<std::size_t, std::vector<std::string>> byLength;
         for (const auto& [key, value] : json.items()) {
-            if (!isNumbers(value) || value.size() <= few || value.size() > maxPrinted) {
-                continue;
-            }
-            const std::string at = pointer + "/" + escape_segment(key);
-            Table& table = byLength[value.size()];
-            addColumn(at, table);
-            table.rows.resize(static_cast<qsizetype>(value.size()));
-            for (std::size_t row = 0; row < value.size(); ++row) {
-                table.rows[static_cast<qsizetype>(row)]
-                    << numberText(value[row].get<double>(), unitOf(at));
+            if (isNumbers(value) && value.size() > few && value.size() <= maxPrinted) {
+                byLength[value.size()].push_back(key);
             }
         }
-        for (auto& [length, table] : byLength) {
+        for (const auto& [length, keys] : byLength) {
+            constexpr std::size_t maxColumns = 8;
+            constexpr std::size_t minRows = 8;
+            const bool isCounted = keys.size() == 1;
+            const std::size_t parts =
+                std::clamp<std::size_t>(maxColumns / std::max<std::size_t>(keys.size(), 2), 1,
+                                        (length + minRows - 1) / minRows);
+            const std::size_t rows = (length + parts - 1) / parts;
+            Table table;
+            QStringList names;
+            for (const std::string& key : keys) {
+                names << nameOf(pointer + "/" + key);
+            }
+            table.caption = names.join(QStringLiteral("; "));
+            table.rows.resize(static_cast<qsizetype>(rows));
+            for (std::size_t at = 0; at < parts * rows; ++at) {
+                QStringList& cells = table.rows[static_cast<qsizetype>(at % rows)];
+                const bool isHead = at % rows == 0;
+                if (isHead && isCounted) {
+                    table.headings << QStringLiteral("№");
+                    table.numbers << true;
+                }
+                if (isCounted) {
+                    cells << (at < length ? QString::number(at + 1) : QString());
+                }
+                for (const std::string& key : keys) {
+                    if (isHead) {
+                        addColumn(pointer + "/" + key, table);
+                    }
+                    cells << (at < length ? numberText(json.at(key)[at].get<double>(),
+                                                       unitOf(pointer + "/" + key))
+                                          : QString());
+                }
+            }
             lists_.push_back(std::move(table));
         }
     }

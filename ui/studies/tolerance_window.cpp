@@ -148,6 +148,12 @@ QWidget* ToleranceWindow::makeInputs() {
         growRowsWithWords(*editor->view());
         editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading is above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
+        // Where a fault comes and goes nothing moves: a click goes where it was meant to.
+        QWidget* fault = editor->layout()->itemAt(editor->layout()->count() - 1)->widget();
+        QSizePolicy room = fault->sizePolicy();
+        room.setRetainSizeWhenHidden(true);
+        fault->setSizePolicy(room);
+        fault->setMinimumHeight(2 * QFontMetrics(fault->font()).lineSpacing());
         // Before and after what was said of a block that was not pasted.
         const auto say = [editor] { editor->say(editor->trouble(), true); };
         connect(table, &QAbstractItemModel::dataChanged, editor, say);

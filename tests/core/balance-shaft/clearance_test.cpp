@@ -233,7 +233,7 @@ TEST(PlaceLimitsTest, LimitsThatContradictEachOtherAreNamed) {
         {{}, ""},
         {{.centre_distance_min = 0.1, .centre_distance_max = 0.1}, ""},
         {{.centre_distance_min = 0.15, .centre_distance_max = 0.1, .shaft_angle_to = 10 * degree},
-         "Minimum l 150 mm, Maximum l 100 mm, α to 10°"},
+         "Minimum l 150 mm, Maximum l 100 mm"},
         {{.left = 0.03, .right = 0.02}, "Minimum x 30 mm, Maximum x 20 mm"},
         {{.bottom = 0.03, .top = -0.02}, "Minimum y 30 mm, Maximum y -20 mm"}};
     Input input = preset_tmz_650d();

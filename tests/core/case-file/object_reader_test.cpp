@@ -124,6 +124,7 @@ TEST(ObjectReader, ShowsKeysAndValuesPrintableAndShort) {
                         "b\xE2\x81\xA6"
                         "c\xE2\x80\xA9 №"),
               "a\\u202eb\\u2066c\xE2\x80\xA9 №");
+    EXPECT_EQ(printable("M\xFCller-\xE9"), "M\xFCller-\xE9") << "broken, and no control character";
     EXPECT_EQ(printable("жжж", 5), "жж…");
     EXPECT_EQ(printable("жжж", 6), "жжж");
     EXPECT_EQ(show(Json("\x7F")), R"("\u007f")");

@@ -527,6 +527,14 @@ TEST_F(Tolerances, ABlockIsPastedWholeAndAsOneStep) {
     scene().undo();
     QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(study().vary.empty());
+    // Whole rows, copied and pasted where they were, stay what they are; their values are none of
+    // ±.
+    view->selectAll();
+    tolerances->inputs()->copy();
+    view->setCurrentIndex(view->model()->index(0, ScatterTable::Scatter));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_TRUE(study().vary.empty());
+    EXPECT_EQ(said(), QString());
     // What stood there in red gives way.
     scatter("/crank_radius_mm", u"abc"_s);
     const int row = view->currentIndex().row();

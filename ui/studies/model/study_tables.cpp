@@ -23,7 +23,7 @@ int StudyTable::columnCount(const QModelIndex& parent) const {
 
 Qt::ItemFlags StudyTable::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = EditableTable::flags(index);
-    flags.setFlag(Qt::ItemIsEditable, index.column() >= typed_);
+    flags.setFlag(Qt::ItemIsEditable, isTyped(index));
     return flags;
 }
 
@@ -54,7 +54,7 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
 }
 
 bool StudyTable::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (role != Qt::EditRole || !index.isValid() || index.column() < typed_) {
+    if (role != Qt::EditRole || !index.isValid() || !isTyped(index)) {
         return false;
     }
     // What was rejected beside it may stand with what is typed now, as one step.
@@ -75,9 +75,18 @@ bool StudyTable::setData(const QModelIndex& index, const QVariant& value, int ro
     return why.isEmpty();
 }
 
+bool StudyTable::isTyped(const QModelIndex& index) const {
+    return index.column() >= typed_ && !isGone(index.row());
+}
+
 QString StudyTable::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
-    // A narrow block is of the last columns, which are typed.
-    column = std::max(column, std::min(typed_, columnCount() - widthOf(cells)));
+    // Whole rows go where they came from; a narrow block is of the last columns, which are typed.
+    std::size_t width = 0;
+    for (const QStringList& line : cells) {
+        width = std::max(width, static_cast<std::size_t>(line.size()));
+    }
+    const int spare = columnCount() - static_cast<int>(width);
+    column = spare <= 0 ? 0 : std::max(column, std::min(typed_, spare));
     QString why = noRoomText(cells, rowCount() - row, columnCount() - column);
     if (why.isEmpty()) {
         why = write(row, column, cells);
@@ -131,6 +140,10 @@ ScatterTable::ScatterTable(StudyModel* model, QObject* parent)
 
 const StudyModel::Input& ScatterTable::input(int row) const {
     return model_->inputs()[static_cast<std::size_t>(row)];
+}
+
+bool ScatterTable::isGone(int row) const {
+    return input(row).isMissing;
 }
 
 int ScatterTable::rowCount(const QModelIndex& parent) const {

@@ -35,6 +35,8 @@ class StudyTable : public EditableTable {
     /// Takes the typed text of a cell into a study.
     /// @return an empty string, or why it cannot be
     virtual QString read(studies::Study& next, int row, int column, const QString& typed) const = 0;
+    /// What the row is of is no longer there: nothing can be typed for it.
+    virtual bool isGone(int /*row*/) const { return false; }
 
     StudyModel* model_;
 
@@ -42,6 +44,7 @@ class StudyTable : public EditableTable {
     QString held(int row, int column) const final { return text(row, column, true); }
     QString rejectedText(const Cell& cell, const Rejected& rejected) const final;
     QString write(int row, int column, const std::vector<QStringList>& cells);
+    bool isTyped(const QModelIndex& index) const;
 
     ResultColumns columns_;
     int typed_;
@@ -66,6 +69,7 @@ class ScatterTable final : public StudyTable {
     std::string rowName(int row) const override { return input(row).pointer; }
     QString text(int row, int column, bool isEdited) const override;
     QString read(studies::Study& next, int row, int column, const QString& typed) const override;
+    bool isGone(int row) const override;
 };
 
 /// The results that are watched, with their limits.
