@@ -14674,10 +14674,6 @@ but at this l no α is feasible</source>
         <translation>%1 с весов: %2</translation>
     </message>
     <message>
-        <source>%1 from the scale</source>
-        <translation>%1 с весов</translation>
-    </message>
-    <message>
         <source>%1 from the scale is not accepted. %2</source>
         <translation>%1 с весов не принято. %2</translation>
     </message>

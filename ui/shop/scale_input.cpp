@@ -1,14 +1,11 @@
 #include "shop/scale_input.h"
 
-#include <QAbstractItemView>
 #include <QApplication>
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QPointer>
 
-#include "model/editable_table.h"
 #include "text/number_text.h"
-#include "text/shown_units.h"
 #include "text/typed_number.h"
 #include "widgets/number_field.h"
 
@@ -62,29 +59,6 @@ QString enterInto(NumberField* field, const QString& weight) {
     return ScaleInput::tr("%1 from the scale: %2").arg(weight, name);
 }
 
-QString enterInto(QAbstractItemView* view, const QString& weight) {
-    const QModelIndex cell = view->currentIndex();
-    if (!view->model()->setData(cell, weight)) {
-        QApplication::beep();
-        return ScaleInput::tr("%1 from the scale is not accepted. %2")
-            .arg(weight, QString())
-            .trimmed();
-    }
-    if (const QModelIndex below = cell.siblingAtRow(cell.row() + 1); below.isValid()) {
-        view->setCurrentIndex(below);
-    }
-    return ScaleInput::tr("%1 from the scale").arg(weight);
-}
-
-/// True for a cell of a column of masses that can be edited.
-bool takesMass(const QAbstractItemView& view) {
-    const QModelIndex cell = view.currentIndex();
-    return cell.isValid() && qobject_cast<EditableTable*>(view.model()) != nullptr &&
-           cell.flags().testFlag(Qt::ItemIsEditable) &&
-           isMassUnit(
-               unitOfTitle(view.model()->headerData(cell.column(), Qt::Horizontal).toString()));
-}
-
 }  // namespace
 
 void setTypedAlone(QWidget* field) {
@@ -123,10 +97,6 @@ QString enterWeight(const shop::ScaleLine& line) {
     if (field != nullptr && field->isEnabled() && !field->isReadOnly() &&
         isMassUnit(field->unit())) {
         return enterInto(field, weight);
-    }
-    auto* view = qobject_cast<QAbstractItemView*>(QApplication::focusWidget());
-    if (view != nullptr && takesMass(*view)) {
-        return enterInto(view, weight);
     }
     QApplication::beep();
     return ScaleInput::tr("%1 from the scale was not entered: click a mass field first.")

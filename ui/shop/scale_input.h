@@ -18,7 +18,7 @@ QString scaleText(const shop::ScaleLine& line);
 /// What a line means: "568.50 g, stable".
 QString meaningOf(const shop::ScaleLine& line);
 
-/// Puts a weight into the field or cell with the focus, as if it were typed and Enter pressed: the
+/// Puts a weight into the field with the focus, as if it were typed and Enter pressed: the
 /// next one has the focus then. Only fields of masses accept it; one that rejects it keeps its
 /// value and the focus.
 /// @return the result, for the status bar

@@ -13,11 +13,9 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
-#include <QTableView>
 #include <QTemporaryDir>
 
 #include "events.h"
-#include "inertia-moments/model/cylinder_table_model.h"
 #include "shell/main_window.h"
 #include "shop/model/scale_reader.h"
 #include "shop/scale_button.h"
@@ -215,7 +213,7 @@ TEST_F(ScaleTest, AWeightGoesIntoMassFieldsAlone) {
     send("569.5 g\r\n");
     EXPECT_EQ(factor->text(), before);
 
-    // On other pages as well, and into a table.
+    // On other pages as well.
     window->showScene(u"balance-shaft"_s);
     NumberField* mass = nullptr;
     for (auto* each : window->currentPage()->findChildren<NumberField*>()) {
@@ -226,18 +224,6 @@ TEST_F(ScaleTest, AWeightGoesIntoMassFieldsAlone) {
     scale.send("412.5 g\r\n");
     EXPECT_TRUE(comes([&] { return mass->value() == 0.4125; }));
     EXPECT_FALSE(mass->hasFocus());
-    ASSERT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/radial-9.case.json")), QString());
-    QTableView* table = nullptr;
-    for (auto* each : window->currentPage()->findChildren<QTableView*>()) {
-        table = each->accessibleName() == u"Cylinders"_s ? each : table;
-    }
-    ASSERT_NE(table, nullptr);
-    const QModelIndex knuckle = table->model()->index(1, CylinderTableModel::KnuckleMass);
-    table->setCurrentIndex(knuckle);
-    table->setFocus();
-    scale.send("790.5 g\r\n");
-    EXPECT_TRUE(comes([&] { return knuckle.data(Qt::EditRole) == u"0.7905"_s; }));
-    EXPECT_EQ(table->currentIndex().row(), 2);
 }
 
 TEST_F(ScaleTest, UnpluggedInTheMiddleItIsTakenUpAgain) {
