@@ -17262,10 +17262,6 @@ but at this l no α is feasible</source>
         <translation>Записать как &amp;другую</translation>
     </message>
     <message>
-        <source>The job on the sheet was removed from the journal.</source>
-        <translation>Работа с этого листа удалена из журнала.</translation>
-    </message>
-    <message>
         <source>Save the job “%1” in the journal?</source>
         <translation>Сохранить работу «%1» в журнале?</translation>
     </message>
@@ -17320,10 +17316,6 @@ but at this l no α is feasible</source>
     <message>
         <source>Swap the rod ends</source>
         <translation>Поменять головки шатуна</translation>
-    </message>
-    <message>
-        <source>The job is not saved now.</source>
-        <translation>Теперь работа не сохранена.</translation>
     </message>
     <message>
         <source>Correct the drilled holes</source>

@@ -244,7 +244,6 @@ void JournalDialog::removeSelected() {
             message_->setText(journal_->lastError());
             return;
         }
-        Q_EMIT removed(id);
         search();
     }
 }

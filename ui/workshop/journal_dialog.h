@@ -28,10 +28,6 @@ class JournalDialog : public QDialog {
     /// Writes the jobs listed to a CSV file. @return an empty string, or what went wrong
     QString exportTo(const QString& file);
 
-  Q_SIGNALS:
-    /// From the journal.
-    void removed(qint64 id);
-
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 

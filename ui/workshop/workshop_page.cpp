@@ -125,14 +125,6 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
         }
     });
     buildActions();
-    connect(desk(), &JobDesk::jobRemoved, this, [this] {
-        Q_EMIT status({});  // that it is in the journal was said before
-        QString said = tr("The job on the sheet was removed from the journal.");
-        if (model()->hasChanges()) {
-            said += QLatin1Char(' ') + tr("The job is not saved now.");
-        }
-        say(said);
-    });
     connect(model(), &SceneModel::restarted, this, [this] { say({}); });
     connect(model_, &WorkshopModel::broughtWithoutRejected, this, [this](const QString& rejected) {
         say(tr("Entries were not accepted when the program ended. Enter or check them again: %1")
@@ -610,7 +602,6 @@ void WorkshopPage::showJournal(const QString& search) {
         return;
     }
     JournalDialog dialog(desk()->journal(), this, search);
-    connect(&dialog, &JournalDialog::removed, desk(), &JobDesk::missJob);
     if (dialog.exec() == QDialog::Accepted) {
         bringJob(dialog.chosenId(), dialog.isCopy());
     }

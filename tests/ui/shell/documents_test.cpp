@@ -355,28 +355,6 @@ TEST_F(DocumentsTest, AJobBegunFromAnExampleIsKnownByItsNumber) {
     EXPECT_TRUE(window->windowTitle().startsWith(u"A-1[*] – "_s + title));
 }
 
-TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
-    const JobDesk* desk = keepJob();
-    const ScenePage* page = window->currentPage();
-    press(Qt::Key_N);
-    QTest::qWait(100);
-    EXPECT_EQ(tabs(), (QStringList{u"A-1"_s, window->documents().currentScene().title}));
-    answer("Yes");
-    test::whenModal<JournalDialog>(window.get(), [](JournalDialog* dialog) {
-        test::named<QAbstractButton>(*dialog, "journal_remove")->click();
-        dialog->reject();
-    });
-    press(Qt::Key_F3, {});
-    EXPECT_EQ(desk->jobId(), 0);
-    EXPECT_EQ(tabs().constFirst(), u"A-1 *"_s);
-    press(Qt::Key_Tab);
-    EXPECT_EQ(test::named<QLabel>(*page, "banner")->text(),
-              u"The job on the sheet was removed from the journal. The job is not saved now."_s);
-    press(Qt::Key_F2, {});
-    EXPECT_TRUE(test::comes([&] { return desk->jobId() != 0; }));
-    EXPECT_FALSE(test::named<QLabel>(*page, "banner")->isVisible());
-}
-
 TEST_F(DocumentsTest, TheJournalIsOpenedFromTheStartPage) {
     keepJob();
     press(Qt::Key_1);

@@ -246,19 +246,6 @@ TEST_F(CardJobTest, NewPartsAreNotTheSetsThatWereMoved) {
     EXPECT_EQ(model->input().weigh_in->rod_sets.size(), 8U);
 }
 
-TEST_F(JobPageTest, AVThatWasInLineMeanwhileHasItsCrankpinsAgain) {
-    for (const auto& [rods, split] : {std::pair(2, 30.0 * degree), {1, 0.0}, {2, 0.0}}) {
-        model->edit({}, [&](workshop::Input& job) {
-            job.engine = {EngineType::v, 6, 90.0 * degree, rods, split};
-        });
-        const Engine before = model->input().engine;
-        model->chooseType(static_cast<int>(EngineType::in_line));
-        EXPECT_EQ(model->input().engine.rods_per_pin, 1);
-        model->chooseType(static_cast<int>(EngineType::v));
-        EXPECT_EQ(model->input().engine, before);
-    }
-}
-
 TEST_F(CardJobTest, NoPartIsMovedByDoubtedWeights) {
     const auto weigh = [&](double first, double bigEnd) {
         model->editWeights(u"Weights"_s, [&](WeighIn& sheet) {

@@ -25,18 +25,11 @@ namespace {
 const QString languageKey = QStringLiteral("workshop/card-language");
 const QString technicianKey = QStringLiteral("workshop/technician");
 
-/// Those that live.
-QList<JobDesk*>& desks() {
-    static QList<JobDesk*> all;
-    return all;
-}
-
 }  // namespace
 
 JobDesk::JobDesk(WorkshopModel* model, const QString& journalPath)
     : QObject(model), model_(model), journalPath_(journalPath) {
     if (!journalPath_.isEmpty()) {
-        desks() << this;
         const QSettings settings;
         cardLanguage_ =
             settings.value(languageKey, settings.value(QStringLiteral("v8-plugs/card-language")))
@@ -44,12 +37,6 @@ JobDesk::JobDesk(WorkshopModel* model, const QString& journalPath)
     }
     connect(model_, &SceneModel::changed, this, [this] { isJournaled_ = false; });
     connect(model_->history(), &QUndoStack::indexChanged, this, [this] { isJournaled_ = false; });
-}
-
-JobDesk::~JobDesk() {
-    if (!journalPath_.isEmpty()) {  // one without may be of a model in another thread
-        desks().removeOne(this);
-    }
 }
 
 void JobDesk::setJournalTrouble(const QString& text) {
@@ -127,19 +114,6 @@ void JobDesk::setJob(qint64 id, int revision) {
 
 bool JobDesk::isNameless() const {
     return jobId_ == 0 && model_->journalEntry().names().isEmpty() && model_->hasNumbers();
-}
-
-void JobDesk::missJob(qint64 removed) {
-    for (JobDesk* desk : QList(desks())) {
-        if (desk->journalPath_ == journalPath_ && desk->jobId_ == removed) {
-            desk->setJob();
-            desk->isJournaled_ = false;
-            if (!CaseDocument::hasFile(*desk->model_)) {
-                desk->model_->history()->resetClean();
-            }
-            Q_EMIT desk->jobRemoved();
-        }
-    }
 }
 
 void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& take) {

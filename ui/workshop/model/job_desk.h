@@ -22,7 +22,6 @@ class JobDesk : public QObject {
   public:
     /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
     JobDesk(WorkshopModel* model, const QString& journalPath);
-    ~JobDesk() override;
 
     /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
     bool openJournal();
@@ -48,9 +47,6 @@ class JobDesk : public QObject {
     /// from elsewhere: from a file, or after a crash. One that is as the sheet is needs no question
     /// and becomes the sheet's.
     std::optional<JournalJob> sameJob();
-    /// A job was removed from the journal: whose sheet it is on, there or elsewhere in the program,
-    /// is not in it any more and says so.
-    void missJob(qint64 removed);
     /// The verdict of the finished job in the journal that saving would put a withheld one in the
     /// place of; empty where it would not.
     QString verdictToLose();
@@ -89,8 +85,6 @@ class JobDesk : public QObject {
 
   Q_SIGNALS:
     void journalTroubleChanged(const QString& text);
-    /// The job on the sheet was removed from the journal.
-    void jobRemoved();
 
   private:
     /// A name alone makes no other engine.

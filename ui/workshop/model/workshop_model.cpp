@@ -406,7 +406,6 @@ QString WorkshopModel::jobName() const {
 void WorkshopModel::aboutToLoad() {
     desk_.setJob();
     otherForm_.reset();
-    lastV_.reset();
     carried_.reset();
     isLoading_ = true;
 }
@@ -476,20 +475,14 @@ QString WorkshopModel::editField(const std::string& pointer, const FieldValue& v
 }
 
 QString WorkshopModel::chooseType(int type) {
-    if (input().engine.type == EngineType::v) {
-        lastV_ = input().engine;
-    }
-    return edit(fieldName(field::type), [this, type](Job& input) {
+    return edit(fieldName(field::type), [type](Job& input) {
         Engine& engine = input.engine;
-        engine.type = static_cast<EngineType>(type);
-        const bool isV = engine.type == EngineType::v;
-        if (isV && lastV_ && lastV_->cylinders == engine.cylinders) {
-            engine.rods_per_pin = lastV_->rods_per_pin;
-            engine.pin_split = lastV_->pin_split;
-        } else {
-            engine.rods_per_pin = isV && engine.cylinders % 2 == 0 ? 2 : 1;
-            engine.pin_split = isV ? engine.pin_split : 0.0;
+        if (std::exchange(engine.type, static_cast<EngineType>(type)) == engine.type) {
+            return;
         }
+        const bool isV = engine.type == EngineType::v;
+        engine.rods_per_pin = isV && engine.cylinders % 2 == 0 ? 2 : 1;
+        engine.pin_split = isV ? engine.pin_split : 0.0;
     });
 }
 
@@ -736,7 +729,6 @@ void WorkshopModel::newJob() {
     }
     next.job.technician = input().job.technician;
     otherForm_.reset();
-    lastV_.reset();
     carried_ = next;
     desk_.replaceJob(0, 0, [&] {
         setTitle({});
@@ -753,7 +745,6 @@ void WorkshopModel::takeJob(const CaseFile& file, bool isCopy) {
     }
     carried_ = isCopy ? std::optional(next) : std::nullopt;
     otherForm_.reset();
-    lastV_.reset();
     const CaseTexts texts = textsOf(file);
     editText(texts.title, isCopy ? QString() : texts.notes);
     // Undo must not bring another job's values under this job's number.

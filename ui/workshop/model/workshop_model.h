@@ -121,8 +121,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
                  const QString& title = {});
     QString editField(const std::string& pointer, const FieldValue& value,
                       const QString& name) override;
-    /// Chooses the type, with as many rods on a bob weight as are usual for it; a V that was
-    /// another type meanwhile has its crankpins again.
+    /// Chooses the type, with as many rods on a bob weight as are usual for it.
     QString chooseType(int type);
     /// Changes the correction; it begins with the first value and ends with the last.
     QString editCorrection(const QString& name,
@@ -352,10 +351,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool isLoading_ = false;
     /// For readings without one: the case's as loaded.
     std::optional<double> bobWeightAsLoaded_;
-    Input beforeEditing_;                       ///< of a field; else before the last change
-    std::optional<Input> otherForm_;            ///< the state before plugs were added or removed
-    std::optional<bob_weights::Engine> lastV_;  ///< before another type was chosen
-    std::optional<Input> carried_;              ///< what the job began with of the job before
+    Input beforeEditing_;             ///< of a field; else before the last change
+    std::optional<Input> otherForm_;  ///< the state before plugs were added or removed
+    std::optional<Input> carried_;    ///< what the job began with of the job before
     QStringList rejected_;
     std::vector<std::string> rejectedAt_;
     mutable std::unique_ptr<WorkshopModel> stopped_;  ///< shown() by those
