@@ -591,9 +591,12 @@ void drilled_by_other_values(DoubtSearch& job) {
         };
         const auto found = std::ranges::find_if(holes, [&, plane = i](const auto& recorded) {
             const bob_weights::DrilledHole& hole = *recorded.second;
-            return static_cast<std::size_t>(hole.plane) == plane && is_as_planned(hole) &&
-                   hole.unbalance && job.radius(plane) &&
-                   job.shaft.runs[recorded.first.run].is_recorded &&
+            // What was to be deepened is whole on the wrong side, and no plan was of all of it.
+            const bool is_of_plan = hole.from_depth > 0.0
+                                        ? hole.state == bob_weights::HoleState::as_planned
+                                        : is_as_planned(hole);
+            return static_cast<std::size_t>(hole.plane) == plane && is_of_plan && hole.unbalance &&
+                   job.radius(plane) && job.shaft.runs[recorded.first.run].is_recorded &&
                    differ(now(hole), *hole.unbalance, same);
         });
         if (found != holes.end() && job.shaft.newest()->within(i) != true) {
