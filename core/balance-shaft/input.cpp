@@ -21,7 +21,7 @@ std::string pointer(const Field& field, const std::string& parent = "/input") {
 }
 
 Number shown(const Field& field, double si) {
-    return {from_si(field, si), field.unit};
+    return {from_si(field, si), field.unit, 12, false, true};
 }
 
 Number shown_bound(const Field& field, double limit, double found) {

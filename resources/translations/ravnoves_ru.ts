@@ -12130,7 +12130,7 @@ but at this l no α is feasible</source>
         <translation>Единица момента.</translation>
     </message>
     <message>
-        <source>Pressure &amp;is</source>
+        <source>Pr&amp;essure is</source>
         <translation>&amp;Вид давления</translation>
     </message>
     <message>
@@ -14464,6 +14464,10 @@ but at this l no α is feasible</source>
     <message>
         <source>Bands about curves and ± beside numbers are the range from 5 % to 95 % of 128 samples.</source>
         <translation>Полосы вокруг кривых и ± у чисел — диапазон от 5 % до 95 % по 128 пробам.</translation>
+    </message>
+    <message>
+        <source>Both include the uncertain dead centre of the trace, the results below do not.</source>
+        <translation>В них учтена неточность мёртвой точки диаграммы, в результатах ниже — нет.</translation>
     </message>
     <message>
         <source>Case</source>

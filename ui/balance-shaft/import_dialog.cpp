@@ -205,7 +205,7 @@ QWidget* ImportDialog::buildSettings() {
         }));
     if (isPressure) {
         addChoice(
-            meaning, "import_gauge", tr("Pressure &is"),
+            meaning, "import_gauge", tr("Pr&essure is"),
             tr("Gauge pressure is relative to the atmosphere: 1.01325 bar is added."),
             fixed({tr("absolute"), tr("gauge")}),
             [this] { return placeOf(model_->reading().gauge); },

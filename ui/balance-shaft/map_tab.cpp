@@ -21,7 +21,6 @@
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -98,9 +97,9 @@ class ShaftMapView final : public QWidget {
              .hint = tr("Distance from crank axis to shaft axis; α is kept."),
              .name = QStringLiteral("place_distance_mm"),
              // A new range is a new layout of the page: not at every step.
-             .ends =
-                 [this] { return std::pair(0.0, std::ceil(map_->largestDistance() / units::mm)); },
-             .typesBeyond = true});
+             .ends = [this] {
+                 return std::pair(0.0, std::ceil(map_->largestDistance() / units::mm));
+             }});
         column->addWidget(distance_);
 
         auto* row = new QHBoxLayout;

@@ -25,7 +25,10 @@ class PaperPictures : public QObject, public QTextObjectInterface {
     }
     void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* /*document*/,
                     int /*position*/, const QTextFormat& format) override {
-        if (const paper::Drawing* drawing = of(format)) {
+        // Next to a page break the figure of the other page is asked for, too; it sets its own
+        // clip.
+        const paper::Drawing* drawing = of(format);
+        if (drawing != nullptr && painter->clipBoundingRect().contains(rect.center())) {
             painter->save();
             painter->translate(rect.topLeft());
             painter->scale(scaleOf(*drawing), scaleOf(*drawing));

@@ -136,6 +136,11 @@ void addTolerances(Paper& report, SceneModel& model, const Patience& patience) {
                        "Bands about curves and ± beside numbers are the range from 5 % to 95 % "
                        "of 128 samples."),
                    Tone::Muted);
+        if (studies::open_input(model.caseFile(), model.context(), study.study().vary)) {
+            report.say(ReportWords::tr("Both include the uncertain dead centre of the trace, the "
+                                       "results below do not."),
+                       Tone::Warning);
+        }
     }
     if (study.study().watch.empty()) {
         return;

@@ -345,7 +345,7 @@ QStringList ResultTable::differenceAt(int row, int column) const {
 QStringList ResultTable::below(int row, int column) const {
     QStringList lines = differenceAt(row, column);
     lines.removeAll(QString());
-    if (!isNarrow_ && lines.size() > 1) {
+    if (room_ != Room::Little && lines.size() > 1) {
         lines = {lines.join(QStringLiteral("  "))};
     }
     if (const QString spread = spreadAt(row, column); !spread.isEmpty()) {
@@ -371,8 +371,9 @@ void ResultTable::showReference(const Results* results, const QString& name) {
 
 int ResultTable::wantedWidth(int column) const {
     const bool isName = stretched_.contains(column);
-    int width =
-        header_->isHidden() ? 0 : header_->widthOf(headings_[column].heading, isNarrow_ || isName);
+    int width = header_->isHidden()
+                    ? 0
+                    : header_->widthOf(headings_[column].heading, room_ != Room::Plenty || isName);
     for (int row = 0; row < rowCount(); ++row) {
         const QTableWidgetItem* cell = item(row, column);
         if (cell == nullptr) {
@@ -393,7 +394,7 @@ void ResultTable::fitColumns() {
     // that was too large once, as a slip of the keys makes it, they do not scroll for ever.
     const bool isSameWidth = std::exchange(fittedTo_, room) == room;
     const bool grows = isSameWidth && header_->length() <= room;
-    isNarrow_ = isSameWidth && isNarrow_;
+    room_ = isSameWidth ? room_ : Room::Plenty;
     const int minimum = Theme::withText(minOfWords);
     QList<int> widths(columnCount());
     int sum = 0;
@@ -414,10 +415,10 @@ void ResultTable::fitColumns() {
             sum += width;
         }
         // Differences are below each other before they shorten the words.
-        if (sum + (reference_ ? cut : 0) <= room || isNarrow_) {
+        if (sum + (reference_ ? cut : 0) <= room || room_ == Room::Little) {
             break;
         }
-        isNarrow_ = true;
+        room_ = static_cast<Room>(static_cast<int>(room_) + 1);
     }
     // Takes what is over, where that is enough: of each its share, rounded up.
     const auto narrow = [&](const auto& spareOf) {

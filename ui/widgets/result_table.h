@@ -77,6 +77,10 @@ class ResultTable : public QTableWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
+    /// How little room the columns have: differences in one line under one-line headings, the same
+    /// under headings that wrap, or absolute and percent below one another.
+    enum class Room { Plenty, Headings, Little };
+
     QString joined(QChar separator, bool selectionOnly) const;
     void copy(bool selectionOnly) const;
     void fitColumns();
@@ -92,8 +96,7 @@ class ResultTable : public QTableWidget {
     friend class ResultItem;
 
     WrappedHeader* header_;
-    /// Its headings wrap, and absolute differences are over those in percent.
-    bool isNarrow_ = false;
+    Room room_ = Room::Plenty;
     int fittedTo_ = -1;  ///< width that the columns were fitted to; there they only ever grow
     QList<int> stretched_{0};
     int shownRows_ = 0;  ///< 0: all

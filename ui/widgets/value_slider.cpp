@@ -146,15 +146,10 @@ void ValueSlider::setRange(double min, double max) {
     }
 }
 
-void ValueSlider::setTypedRange(const Range& range) {
-    typed_ = range;
-    showRange();
-}
-
 void ValueSlider::showRange() {
     const QSignalBlocker quiet(slider_);
     slider_->setRange(0, tickOf(scale_.max));
-    box_->setRange(typed_.value_or(Range::between(scale_.min, scale_.max)), unit_->text());
+    box_->setRange(Range::between(scale_.min, scale_.max), unit_->text());
     const QFontMetrics metrics = box_->fontMetrics();
     constexpr int frame = 14;
     const int widest = std::max({metrics.horizontalAdvance(box_->textOf(scale_.min)),
@@ -242,9 +237,6 @@ FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const Field& fi
     box()->setObjectName(name);
     setHint(own.hint.isEmpty() ? fieldHint(field) : own.hint);
     setModel(model);
-    if (own_.typesBeyond) {
-        setTypedRange(field.range);
-    }
     connect(this, &ValueSlider::valueEdited, this, own_.write);
     if (own_.isGiven) {
         connect(&Theme::instance(), &Theme::changed, this, &FieldSlider::follow);

@@ -2,7 +2,6 @@
 
 #include <QWidget>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "case-file/field.h"
@@ -43,8 +42,6 @@ class ValueSlider : public QWidget {
     double value() const { return value_; }
     void setValue(double value);  ///< no signal
     void setRange(double min, double max);
-    /// What may be typed; between the ends where this is not set.
-    void setTypedRange(const Range& range);
     void setHint(const QString& hint);
     QSlider* slider() const { return slider_; }
     NumberField* box() const { return box_; }
@@ -82,7 +79,6 @@ class ValueSlider : public QWidget {
     bool folded_ = false;
     bool isPassing_ = false;
     SliderScale scale_;
-    std::optional<Range> typed_;
     double value_ = 0.0;
 };
 
@@ -93,7 +89,6 @@ struct SliderOwn {
     QString name{};           ///< of its box; the slider's has "_slider" behind it
     Unit unit = units::none;  ///< none: the field's
     std::function<std::pair<double, double>()> ends{};  ///< where it may be moved now
-    bool typesBeyond = false;                           ///< its ends, what the field allows
     std::function<bool()> isMovable{};
     std::function<bool()>
         isGiven{};  ///< by the case; else the value shown is dimmed; typed again, it is passed on

@@ -275,19 +275,6 @@ TEST_F(ShaftMapTest, ASecondSliderSetsTheDistance) {
     EXPECT_EQ(length(), before);
 }
 
-TEST_F(ShaftMapTest, ADistanceBeyondTheMapCanBeTypedAsItCanBeDragged) {
-    const double seen = map->map()->view;
-    type("place_distance_mm", QString::number(1.5 * seen / mm));
-    EXPECT_NEAR(length(), 1.5 * seen, 1e-9);
-    wait();
-    EXPECT_GT(map->map()->view, 1.5 * seen);
-    EXPECT_NEAR(*field("place_distance_mm")->value(), 1.5 * seen / mm, 0.01);
-    const QSlider* slider = find<QSlider>("place_distance_mm_slider");
-    EXPECT_LT(slider->value(), slider->maximum());
-    type("place_distance_mm", QStringLiteral("-5"));
-    EXPECT_NEAR(length(), 1.5 * seen, 1e-9);
-}
-
 TEST_F(ShaftMapTest, AClickInTheChartGoesToItsPlace) {
     view->findChild<QTabWidget*>()->setCurrentWidget(sizes);
     QApplication::processEvents();

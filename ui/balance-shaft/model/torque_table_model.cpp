@@ -185,7 +185,8 @@ QString TorqueTableModel::take(const TorqueTable& table) {
 
 int TorqueTableModel::insertRowBelow(int row) {
     TorqueTable longer = table();
-    if (longer.size() == 0) {
+    const bool begins = longer.size() == 0;
+    if (begins) {
         longer = {{0.0, model_->input().cycle_deg()}, {0.0, 0.0}};
     }
     // Half way between its neighbours, so that the table stays a cycle and means the same.
@@ -194,7 +195,7 @@ int TorqueTableModel::insertRowBelow(int row) {
         const auto below = column->begin() + at;
         column->insert(below, 0.5 * (*(below - 1) + *below));
     }
-    return take(longer).isEmpty() ? static_cast<int>(at) : -1;
+    return !take(longer).isEmpty() ? -1 : begins ? 0 : static_cast<int>(at);
 }
 
 void TorqueTableModel::removeRowRange(int first, int count) {

@@ -233,6 +233,9 @@ Results tornado(const StudyModel& study, const StudyAnswer* value) {
 Notes notesOf(const StudyModel& study) {
     Notes notes;
     const StudyAnswers& answers = *study.answers();
+    for (const Message& note : answers.notes) {
+        notes.say(Severity::warning, study.named(note));
+    }
     if (studies::is_sampled(study.study().method)) {
         notes.say(Severity::note, HistogramWords::tr("Samples solved: %1")
                                       .arg(QLocale().toString(qulonglong(answers.solved))));
@@ -246,9 +249,6 @@ Notes notesOf(const StudyModel& study) {
         notes.say(Severity::note, HistogramWords::tr("Rejected: %1 × %2")
                                       .arg(QLocale().toString(qulonglong(rejection.count)),
                                            study.named(rejection.reason)));
-    }
-    for (const Message& note : answers.notes) {
-        notes.say(Severity::warning, study.named(note));
     }
     return notes;
 }
