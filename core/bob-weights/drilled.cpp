@@ -1,6 +1,7 @@
 #include "bob-weights/drilled.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/plane_plan.h"
@@ -98,6 +99,21 @@ std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
         add(metal.slugs, -1.0);
     }
     return list;
+}
+
+bool is_other_plan(const Correction& correction, const Result& result) {
+    const auto now = planned_holes(result);
+    if (!correction.planned.drilled || correction.record.is_drilled() || !now) {
+        return false;
+    }
+    constexpr double rounding = 1e-7;  // m, rad
+    return !std::ranges::equal(
+        *correction.planned.drilled, *now, [](const DrilledHole& a, const DrilledHole& b) {
+            return a.plane == b.plane && a.is_slug() == b.is_slug() && a.direction == b.direction &&
+                   std::abs(a.diameter - b.diameter) < rounding &&
+                   std::abs(a.depth - b.depth) < rounding &&
+                   std::abs(std::remainder(a.angle - b.angle, two_pi)) < rounding;
+        });
 }
 
 }  // namespace ravnoves::bob_weights

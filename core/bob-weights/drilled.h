@@ -36,4 +36,7 @@ auto recorded_holes(auto& correction) {
 /// @return empty while there is no plan
 std::optional<std::vector<DrilledHole>> planned_holes(const Result& result);
 
+/// Whether the plan that the shop has, printed or put aside, is not the present one.
+bool is_other_plan(const Correction& correction, const Result& result);
+
 }  // namespace ravnoves::bob_weights

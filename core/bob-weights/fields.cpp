@@ -149,6 +149,8 @@ void visit_correction(FieldVisitor& visitor, Correction& correction) {
         visit_reading(visitor, reading);
     });
     visit_record(visitor, field::drilled_after_newest, correction.record);
+    visitor.object_of(field::planned, false, correction.planned.drilled.has_value(),
+                      [&] { visit_record(visitor, field::planned_holes, correction.planned); });
     visit_list(visitor, field::earlier_runs, correction.earlier_runs, [&](EarlierRun& run) {
         // Holes that were there before have no readings.
         visit_list(visitor, field::run_readings, run.readings,

@@ -199,6 +199,12 @@ inline constexpr Field drilled{
 inline constexpr Field drilled_after_newest{
     .key = drilled.key,
     .hint = Text::tr("Holes of the latest run, if a further run was begun and cleared again.")};
+inline constexpr Field planned{
+    .key = "planned",
+    .hint = Text::tr("Plan when the job card was printed or the job put aside; its holes are "
+                     "recorded as drilled once the next run is read.")};
+inline constexpr Field planned_holes{.key = drilled.key,
+                                     .hint = Text::tr("Holes and slugs of that plan.")};
 inline constexpr Field drilled_by{
     .key = "drilled_by",
     .hint = Text::tr("Readings from which the holes were planned, if they were corrected since.")};

@@ -122,6 +122,7 @@ void check_runs(const Correction& correction, bool is_older) {
     }
     if (is_older) {
         check_drilled(correction.record, correction_place);
+        check_drilled(correction.planned, correction_place + std::string(field::planned.key) + "/");
     }
     for (std::size_t run = 0; run < runs.size(); ++run) {
         const auto& readings = runs[run].readings;

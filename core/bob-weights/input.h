@@ -227,6 +227,8 @@ struct Correction {
     std::vector<Reading> readings = std::vector<Reading>(2);  ///< of the newest run: corrected
     /// Of the newest run, where a further one was begun and emptied again.
     DrillingRecord record;
+    /// Planned when the job card was printed or the job put aside: by it the shop drills.
+    DrillingRecord planned;
     std::vector<EarlierRun> earlier_runs;  ///< from the first, before drilling
     Drill drill;
     std::optional<Slug> slug;

@@ -510,6 +510,16 @@ void drilled_unread(DoubtSearch& job) {
     });
 }
 
+/// The shop drills by the card: its holes may be there, and the present plan goes without them.
+void other_plan(DoubtSearch& job) {
+    if (job.input.correction && bob_weights::is_other_plan(*job.input.correction, job.shaft)) {
+        job.say(
+            Text::tr("The plan has changed since it was printed or put aside. If its holes "
+                     "were drilled, enter the readings of the next run; if none was, use the "
+                     "present plan."));
+    }
+}
+
 /// A hole that was deepened to less than its depth before took off nothing that is known.
 void shallower_hole(DoubtSearch& job) {
     for (const auto& recorded : recorded_holes(job.input.correction)) {
@@ -1108,6 +1118,7 @@ std::span<const DoubtRule> doubt_rules() {
     constexpr Withheld judged{false, true, true};
     constexpr Withheld limited{false, true, true, true};
     constexpr Withheld verdict_alone{false, false, true};
+    constexpr Withheld holes_alone{false, true, false};
     constexpr Withheld nothing{};
     static constexpr DoubtRule rules[] = {
         {"swapped-ends", error, all, swap_ends_act, swapped_ends},
@@ -1136,6 +1147,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"service-speed", error, limited, "", service_speed},
         {"bearings", error, limited, "", bearings},
         {"drilled-unread", error, judged, drilled_act, drilled_unread},
+        {"other-plan", error, holes_alone, present_plan_act, other_plan},
         {"incomplete-run", error, judged, "", incomplete_run},
         {"half-sector", error, judged, "", half_sector},
         {"shallower-hole", error, judged, drilled_act, shallower_hole},

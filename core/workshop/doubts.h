@@ -52,5 +52,7 @@ bool contradicts_scale(const Input& input, const bob_weights::PartField& part);
 inline constexpr std::string_view swap_ends_act = "swap-rod-ends";
 /// An act of the verdict: enter the holes really drilled.
 inline constexpr std::string_view drilled_act = "correct-drilled";
+/// An act of the verdict: nothing was drilled by the plan printed or put aside.
+inline constexpr std::string_view present_plan_act = "use-present-plan";
 
 }  // namespace ravnoves::workshop

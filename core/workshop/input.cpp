@@ -125,6 +125,7 @@ void note_counts_changed(Correction& correction) {
         }
     };
     note(correction.record);
+    note(correction.planned);
     for (auto& run : correction.earlier_runs) {
         note(run);
     }

@@ -10084,6 +10084,18 @@
         <source>The limits contradict each other: %1.</source>
         <translation>Пределы противоречат друг другу: %1.</translation>
     </message>
+    <message>
+        <source>Plan when the job card was printed or the job put aside; its holes are recorded as drilled once the next run is read.</source>
+        <translation>План на момент печати карты или откладывания работы; его отверстия записываются просверленными, когда снят следующий пуск.</translation>
+    </message>
+    <message>
+        <source>Holes and slugs of that plan.</source>
+        <translation>Отверстия и вставки этого плана.</translation>
+    </message>
+    <message>
+        <source>The plan has changed since it was printed or put aside. If its holes were drilled, enter the readings of the next run; if none was, use the present plan.</source>
+        <translation>План изменился после печати или откладывания. Если его отверстия просверлены, введите показания следующего пуска; если ни одного — примите текущий план.</translation>
+    </message>
 </context>
 <context>
     <name>V8</name>
@@ -17122,6 +17134,14 @@ but at this l no α is feasible</source>
         <source>Not pasted: “%1” is not a mass in %2.</source>
         <translation>Не вставлено: «%1» — не масса в %2.</translation>
     </message>
+    <message>
+        <source>Plan printed or put aside</source>
+        <translation>План напечатан или отложен</translation>
+    </message>
+    <message>
+        <source>Use the present plan</source>
+        <translation>Принять текущий план</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::WorkshopPage</name>
@@ -17368,6 +17388,10 @@ but at this l no α is feasible</source>
     <message>
         <source>Understood</source>
         <translation>Понятно</translation>
+    </message>
+    <message>
+        <source>Use the present plan</source>
+        <translation>Принять текущий план</translation>
     </message>
 </context>
 <context>

@@ -178,12 +178,17 @@ void WorkshopPage::showVerdict() {
     const Verdict verdict = model_->shown().verdictShown().value();
     verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
                             : verdict.act == workshop::drilled_act ? tr("Correct the drilled holes")
-                                                                   : QString());
+                            : verdict.act == workshop::present_plan_act ? tr("Use the present plan")
+                                                                        : QString());
 }
 
 void WorkshopPage::doVerdictAct() {
     if (model_->verdictShown()->act == workshop::swap_ends_act) {
         model_->swapRodEnds();
+        return;
+    }
+    if (model_->verdictShown()->act == workshop::present_plan_act) {
+        model_->usePresentPlan();
         return;
     }
     sheets_->setCurrentIndex(static_cast<int>(forms_.indexOf(correction_)));
@@ -647,7 +652,9 @@ void WorkshopPage::previewCard() {
     dialog.setWindowTitle(tr("Job card"));
     dialog.resize(900, 760);
     connect(&dialog, &QPrintPreviewDialog::paintRequested, this, &WorkshopPage::paintCard);
-    dialog.exec();
+    if (dialog.exec() == QDialog::Accepted) {
+        model_->keepPlan(true);
+    }
     keepCardPaper(printer);
 }
 
@@ -659,11 +666,17 @@ void WorkshopPage::printCard() {
     if (dialog.exec() == QDialog::Accepted) {
         keepCardPaper(printer);
         paintCard(&printer);
+        model_->keepPlan(true);
     }
 }
 
 QString WorkshopPage::writeCard(const QString& file) {
-    return writeFile(file, [this] { return paperAsPdf(card(), cardPaper()).toStdString(); });
+    const QString why =
+        writeFile(file, [this] { return paperAsPdf(card(), cardPaper()).toStdString(); });
+    if (why.isEmpty()) {
+        model_->keepPlan(true);
+    }
+    return why;
 }
 
 void WorkshopPage::exportCard() {

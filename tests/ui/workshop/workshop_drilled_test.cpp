@@ -2,6 +2,8 @@
 
 #include <QComboBox>
 #include <QPushButton>
+#include <QTemporaryDir>
+#include <functional>
 #include <numbers>
 
 #include "bob-weights/drilled.h"
@@ -61,6 +63,42 @@ class DrilledTest : public PlugsPageTest {
         return rows.join(u'\n');
     }
 };
+
+TEST_F(PlugsPageTest, WhatIsPrintedOrPutAsideIsDrilledWhateverThePlanIsThen) {
+    const QTemporaryDir folder;
+    const auto print = [&] {
+        ASSERT_EQ(page.writeCard(folder.filePath(u"card.pdf"_s)), QString());
+    };
+    const auto putAside = [&] {
+        bool ok = false;
+        model->desk()->saveJob(&ok, false);
+        ASSERT_TRUE(ok);
+    };
+    for (const std::function<void()>& keep : {std::function<void()>(print), {putAside}}) {
+        model->loadInput(workshop::test::card(), {});
+        const auto card = *bob_weights::planned_holes(model->solution());
+        ASSERT_FALSE(card.empty());
+        keep();
+        EXPECT_EQ(model->stopText(), QString()) << "it is the present plan";
+        type("diameters_mm", u"8"_s);  // the drill broke at the last hole
+        EXPECT_TRUE(has(model->stopText(), u"The plan has changed"_s));
+        EXPECT_TRUE(model->withheld().holes);
+        keep();  // of a plan that is not shown nothing is kept
+        typeRun(1, {u"300"_s, u"40"_s, u"95"_s, u"70"_s});
+        const auto& recorded = *model->input().correction->earlier_runs.at(0).drilled;
+        ASSERT_EQ(recorded.size(), card.size());
+        for (std::size_t i = 0; i < card.size(); ++i) {
+            EXPECT_NEAR(recorded[i].diameter, card[i].diameter, 1e-9);
+        }
+        EXPECT_FALSE(has(model->stopText(), u"The plan has changed"_s));
+    }
+    model->loadInput(workshop::test::card(), {});
+    print();
+    type("diameters_mm", u"8"_s);
+    page.findChild<QPushButton*>(u"verdict_act"_s)->click();
+    EXPECT_FALSE(model->withheld().holes);
+    EXPECT_FALSE(model->input().correction->planned.drilled);
+}
 
 TEST_F(DrilledTest, EveryStateOfAHoleCountsAndIsTakenBack) {
     ASSERT_GE(model->input().correction->earlier_runs.at(0).drilled->size(), 2U);

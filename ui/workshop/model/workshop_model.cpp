@@ -71,6 +71,7 @@ void forgetReadings(Job& input) {
         }
         input.correction->earlier_runs.clear();
         input.correction->record = {};
+        input.correction->planned = {};
     }
 }
 
@@ -610,10 +611,13 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
                 return;
             }
             EarlierRun& last = earlier.emplace_back();
-            // A record of no hole says nothing: the plan that is shown is drilled.
-            if (auto plan = planned_holes(solution()); plan && !correction.record.is_drilled()) {
-                correction.record = {};
-                correction.record.drilled = std::move(plan);
+            // A record of no hole says nothing: the plan of the card is drilled, or that shown.
+            DrillingRecord plan = std::exchange(correction.planned, {});
+            if (!plan.drilled) {
+                plan.drilled = planned_holes(solution());
+            }
+            if (plan.drilled && !correction.record.is_drilled()) {
+                correction.record = std::move(plan);
             }
             static_cast<DrillingRecord&>(last) = std::exchange(correction.record, {});
             last.readings = at_places_of({}, correction.readings);
@@ -629,6 +633,7 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
         }
         set(reading);
         note(correction.record, before, correction.readings);
+        note(correction.planned, before, correction.readings);
         if (hasReading(correction) || correction.record.is_drilled()) {
             return;
         }
@@ -640,6 +645,28 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
             earlier.pop_back();
         }
     });
+}
+
+void WorkshopModel::keepPlan(bool isPrinted) {
+    const auto& correction = input().correction;
+    auto plan = planned_holes(solution());
+    if (!stopText().isEmpty() || !isRunRead() || !plan ||
+        (!isPrinted && correction->planned.drilled) ||
+        (plan->empty() && !correction->planned.drilled) ||
+        (correction->planned.drilled && !is_other_plan(*correction, solution()))) {
+        return;
+    }
+    editCorrection(tr("Plan printed or put aside"), [&](Correction& next) {
+        next.planned = {};
+        if (!plan->empty()) {
+            next.planned.drilled = std::move(plan);
+        }
+    });
+}
+
+void WorkshopModel::usePresentPlan() {
+    editCorrection(tr("Use the present plan"),
+                   [](Correction& correction) { correction.planned = {}; });
 }
 
 void WorkshopModel::confirmReadings() {
