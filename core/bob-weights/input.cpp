@@ -60,6 +60,8 @@ void check_planned(const Correction& correction) {
     for (std::size_t i = 0; i < 2; ++i) {
         const Plane& plane = correction.planes[i];
         const std::string at = place + "planes/" + std::to_string(i) + "/";
+        need(at, field::plane_position, plane.position);
+        need(at, field::plane_radius, plane.radius);
         if (plane.from_angle || plane.to_angle) {
             need(at, field::from_angle, plane.from_angle);
             need(at, field::to_angle, plane.to_angle);
@@ -90,6 +92,8 @@ void check_planned(const Correction& correction) {
     need(place + "drill/", field::maximum_depth, correction.drill.maximum_depth);
     if (correction.slug) {
         const Slug& slug = *correction.slug;
+        need(place + "slug/", field::slug_diameter, slug.diameter);
+        need(place + "slug/", field::slug_density, slug.density);
         if (*slug.density <= correction.drill.density) {
             throw InputError(place + "slug/" + std::string(field::slug_density.key),
                              {Text::tr("must be greater than the crankshaft's %1"),
@@ -291,6 +295,13 @@ void check_correction(const Correction& correction, bool is_planned, bool is_old
 
 void check_tolerance(const Tolerance& tolerance) {
     const std::string place = "/input/tolerance/";
+    if (tolerance.by_grade) {
+        need(place, field::grade, tolerance.grade);
+        need(place, field::rotor_mass, tolerance.rotor_mass);
+        need(place, field::service_speed, tolerance.service_speed);
+    } else {
+        need(place, field::plane_tolerance, tolerance.plane);
+    }
     if (tolerance.front_bearing || tolerance.rear_bearing) {
         need(place, field::front_bearing, tolerance.front_bearing);
         need(place, field::rear_bearing, tolerance.rear_bearing);

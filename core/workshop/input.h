@@ -62,7 +62,7 @@ Input read_input(const Json& input, Completeness completeness = Completeness::re
 /// Writes an "input" object that read_input() turns into the same Input.
 Json write_input(const Input& input);
 
-/// Checks the ranges, and what joins fields, of an input that was read with all that is required.
+/// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
 /// @throws InputError
 void check_input(const Input& input);
 /// The same but for the ranges.
