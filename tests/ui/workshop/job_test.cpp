@@ -592,6 +592,19 @@ TEST_F(ReadJobTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_EQ(verdict(), u"STOP"_s);
 }
 
+TEST_F(ReadJobTest, ReadingsOfTheNextJobAreOfNoBobWeightBeforeIt) {
+    typeLimit(u"3000"_s);
+    model->loadInput(model->inputJson(), {});  // as one that is opened
+    model->newJob();
+    fill({{"unbalance_1", "2600"}, {"angle_1", "75"}, {"unbalance_2", "1450"}, {"angle_2", "210"}});
+    typeShopCard();
+    type("piston", u"590"_s);
+    for (const std::size_t plane : {0U, 1U}) {
+        EXPECT_EQ(model->reading(0, plane).bob_weight, std::nullopt) << plane;
+    }
+    EXPECT_EQ(verdict(), u"Passes"_s) << qPrintable(label("verdict"));
+}
+
 TEST_F(CardJobTest, TheSheetsOfTheMachineBeginWithItsAnswer) {
     for (const Sheet sheet : {MachineTab, CorrectionTab}) {
         show(sheet);

@@ -759,6 +759,7 @@ void WorkshopModel::newJob() {
     carried_ = next;
     desk_.replaceJob(0, 0, [&] {
         setTitle({});
+        isLoading_ = true;  // no bob weight of the job before
         // Undo must not bring another job's values under this job's number.
         restart(next);
     });
