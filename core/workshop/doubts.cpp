@@ -480,6 +480,22 @@ void incomplete_run(DoubtSearch& job) {
     }
 }
 
+/// Beside runs that were read with angles, a pass that lacks one angle was not read to its end.
+/// Where it does not pass, the missing values are asked for anyway.
+void missing_angle(DoubtSearch& job) {
+    const auto& runs = job.shaft.runs;
+    if (runs.empty() || !runs.back().holds() || runs.back().passes() != true ||
+        std::ranges::none_of(runs, &bob_weights::RunResult::has_vectors)) {
+        return;
+    }
+    const auto& readings = job.input.correction->readings;
+    for (const std::size_t i : planes) {
+        if (is_read(readings[1 - i]) && !is_read(readings[i])) {
+            job.say(Text::tr("%1: enter the angle."), job.at_run(runs.size() - 1, i));
+        }
+    }
+}
+
 /// Place of the first hole recorded after a run that is such a one.
 std::optional<bob_weights::Hole::Place> first_hole(const DoubtSearch& job, std::size_t run,
                                                    const auto& is_such) {
@@ -1157,6 +1173,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"swapped-planes", error, limited, "", swapped_planes<true>},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise<error>},
         {"deepens-unmeasured", error, judged, drilled_act, deepens_unmeasured},
+        {"missing-angle", warning, nothing, "", missing_angle},
         {"drilled-beside-plan", warning, nothing, "", drilled_otherwise<warning>},
         {"drilled-by-other-values", warning, nothing, "", drilled_by_other_values},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},

@@ -17039,6 +17039,10 @@ but at this l no α is feasible</source>
         <translation>Показания верны</translation>
     </message>
     <message>
+        <source>Enter the angles of the readings.</source>
+        <translation>Введите углы показаний.</translation>
+    </message>
+    <message>
         <source>Enter the readings of both planes.</source>
         <translation>Введите показания обеих плоскостей.</translation>
     </message>

@@ -91,7 +91,7 @@ TEST_P(EveryDoubt, BlocksWhatItNames) {
     if (!rule.blocks.any()) {
         EXPECT_TRUE(result.at("doubtful").is_null()) << doubts.dump(1);
         EXPECT_TRUE(result.at("bobweight_g").is_number());
-        EXPECT_TRUE(planes[0].at("holes").is_array());
+        EXPECT_EQ(planes[0].at("holes").is_array(), rule.word != "missing-angle");
         if (result.contains("plugs")) {
             EXPECT_TRUE(result.at("plugs").at("state").is_string());
         }
@@ -436,6 +436,29 @@ TEST(Doubts, CompareEveryRunWithTheOneBeforeIt) {
     // A deepened hole is deeper than before.
     expect({{of_run("1/drilled/0/depth_mm").c_str(), 14}}, "shallower-hole",
            "Run 1, Front plane: the hole of ⌀ 16.0 mm at 75.0° is 14.0 mm deep");
+}
+
+TEST(Doubts, AskForTheOneAngleThatAPassLacks) {
+    const auto front = [](const Json& angle_deg) {
+        Json reading{{"unbalance_g_mm", 60}, {"angle_deg", angle_deg}};
+        return angle_deg.is_null() ? Json{{"unbalance_g_mm", 60}} : reading;
+    };
+    const Json rear{{"unbalance_g_mm", 150}};
+    const test::Changes read{{"/correction/readings", {front(100), rear}}};
+    const Input input = read_input(changed(twice_drilled(), read), Completeness::as_is);
+    const Result result = solve(input);
+    ASSERT_EQ(result.doubts.size(), 1U);
+    EXPECT_EQ(result.doubts[0].rule->word, "missing-angle");
+    EXPECT_EQ(result.doubts[0].text.english(), "Run 2, Rear plane: enter the angle.");
+    EXPECT_EQ(result.shaft.newest()->passes(), true);
+    EXPECT_EQ(verdict(input, result).severity, Severity::warning);
+    EXPECT_EQ(short_verdict(input, result).severity, Severity::warning);
+    // Amounts alone have a verdict, and a first run is compared with none.
+    Json alone = changed(twice_drilled(), {{"/correction/readings", {front(nullptr), rear}}});
+    EXPECT_TRUE(doubts_of(alone).empty());
+    alone["correction"].erase("earlier_runs");
+    alone["correction"]["readings"] = {front(100), rear};
+    EXPECT_TRUE(doubts_of(alone).empty());
 }
 
 TEST(Doubts, EndWhereARunIsExplained) {

@@ -646,6 +646,26 @@ TEST_F(ReadJobTest, APassBesideAWarningSaysSoOnPageCardAndInTheJournal) {
     EXPECT_TRUE(jobs().at(0).isFinished);
 }
 
+TEST_F(ReadJobTest, APassWithoutItsLastAngleSaysSoOnPageCardAndInTheJournal) {
+    limitTo(3000);
+    type("engine_number", u"53-1"_s);
+    typeRun(1, {u"60"_s, u"100"_s, u"150"_s});
+    const QString missing = u"Run 1, Rear plane: enter the angle."_s;
+    const QString said = u"PASS, but see the warnings"_s;
+    EXPECT_EQ(label("troubles").count(missing), 1) << qPrintable(label("troubles"));
+    EXPECT_EQ(label("correction"), said);
+    EXPECT_TRUE(hasAll(cardText(), {missing, said}));
+    EXPECT_TRUE(begins(model->runResults().rows.at(1).at(1).text, u"60.0 ∠ 100"_s));
+    EXPECT_EQ(model->runResults().rows.at(1).at(2).text, u"150.0"_s);
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"passes-with-warnings"_s);
+    EXPECT_FALSE(jobs().at(0).isFinished);
+    EXPECT_EQ(model->answerLacks(), u"Enter the angles of the readings."_s);
+    type("run_1_angle_2", u"270"_s);
+    EXPECT_EQ(label("correction"), u"PASS"_s);
+    EXPECT_EQ(model->answerLacks(), QString());
+}
+
 TEST_F(JobPageTest, AKeyOfTheWindowTypesNothing) {
     show(PartsTab);
     type("piston", u"583.9"_s);

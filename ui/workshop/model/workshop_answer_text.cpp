@@ -769,9 +769,10 @@ Results WorkshopModel::runResults() const {
                 return noNumber;
             }
             const QString unbalance = words.digits(read->unbalance, units::gram_mm, 1);
-            return read->angle ? atAngle(words, unbalance, read->unbalance,
-                                         input().machine.shown(*read->angle))
-                               : unbalance;
+            // Without the angle of the other plane it is as the machine read it.
+            const auto angle = read->angle ? std::optional(input().machine.shown(*read->angle))
+                                           : reading(run - firstRun(), i).angle;
+            return angle ? atAngle(words, unbalance, read->unbalance, *angle) : unbalance;
         };
         const QString verdict = verdictText(words, readWord(runs[run], runs[run].passes()));
         results.rows << ResultRow{runName(words, run - firstRun()), cell(0), cell(1),

@@ -810,6 +810,12 @@ bool WorkshopModel::hasNumbers() const {
     return isTyped || isWeighed || isRead || (hasPlugs() && input().plugs->has_typed_changes());
 }
 
+QString WorkshopModel::readingsMissing() const {
+    return reading(newestRun(), 0).unbalance && reading(newestRun(), 1).unbalance
+               ? tr("Enter the angles of the readings.")
+               : tr("Enter the readings of both planes.");
+}
+
 QString WorkshopModel::answerLacks() const {
     if (withheld().any()) {
         return Words().message(solved().verdict.text);

@@ -336,7 +336,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// The input without the values before rejected entries.
     Input withoutRejected() const;
     static QString provisional(const Words& words, const QString& answer);
-    static QString readingsMissing() { return tr("Enter the readings of both planes."); }
+    QString readingsMissing() const;
     /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
     bool isOriginUnknown() const;
     /// The values that the answer lacks: "oil in a crankpin mₘ", "oil coefficient kₘ".
