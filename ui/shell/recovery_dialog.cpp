@@ -18,18 +18,24 @@ struct RecoveryDialog {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::RecoveryDialog)
 };
 
-/// What it is of, its file, its time.
+/// What it is of, its file, its time, as far as known; a job has the journal instead of a file.
 QString lineOf(const RecoveredCase& each) {
     QStringList names{SceneModel::titleText(QString::fromStdString(each.content.title))};
     names << JobDesk::wordsOf(each.content);
     names.removeAll(QString());
     const QString scene = SceneModel::titleOf(each.content.scene);
-    return QStringLiteral("• %1 (%2, %3)")
-        .arg(names.isEmpty() ? scene
-                             : scene + QStringLiteral(": ") + names.join(QStringLiteral(", ")),
-             each.path.isEmpty() ? RecoveryDialog::tr("no file yet")
-                                 : QDir::toNativeSeparators(each.path),
-             timeText(each.saved));
+    const bool isJob = each.content.scene == "workshop";
+    QStringList kept{!each.path.isEmpty() ? QDir::toNativeSeparators(each.path)
+                     : isJob              ? QString()
+                                          : RecoveryDialog::tr("no file yet"),
+                     timeText(each.saved)};
+    kept.removeAll(QString());
+    const QString line =
+        QStringLiteral("• ") +
+        (names.isEmpty() ? scene : scene + QStringLiteral(": ") + names.join(QStringLiteral(", ")));
+    return kept.isEmpty()
+               ? line
+               : line + QStringLiteral(" (") + kept.join(QStringLiteral(", ")) + QLatin1Char(')');
 }
 
 }  // namespace
