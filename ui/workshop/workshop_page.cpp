@@ -455,7 +455,8 @@ std::optional<bool> WorkshopPage::askToSave() {
     said.removeAll(QString());
     QMessageBox box(QMessageBox::Question, tr("Unsaved job"), said.join(QStringLiteral("\n\n")),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-    box.setDefaultButton(QMessageBox::Save);
+    // Enter leaves out no entry.
+    box.setDefaultButton(said.size() > 1 ? QMessageBox::Cancel : QMessageBox::Save);
     box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
     const int answer = box.exec();
     if (answer == QMessageBox::Save) {

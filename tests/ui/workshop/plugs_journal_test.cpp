@@ -196,6 +196,21 @@ TEST_F(PlugsPageTest, UnsavedJobIsAskedAbout) {
     EXPECT_EQ(jobs().size(), 2);
 }
 
+TEST_F(PlugsPageTest, EnterLeavesOutNoRejectedEntryOfAnUnsavedJob) {
+    const auto enter = [](QMessageBox* box) {
+        QTest::mouseClick(box->defaultButton(), Qt::LeftButton);
+    };
+    type("engine_number", u"7"_s);
+    type("rod_big_end", u"0,5 k"_s);
+    whenModal<QMessageBox>(enter);
+    EXPECT_EQ(page.askToSave(), false);
+    EXPECT_TRUE(jobs().isEmpty());
+    type("rod_big_end", u"0,5"_s);
+    whenModal<QMessageBox>(enter);
+    EXPECT_EQ(page.askToSave(), true);
+    EXPECT_EQ(jobs().size(), 1);
+}
+
 TEST_F(PlugsPageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
     JournalJob job;
     job.scene = u"workshop"_s;
