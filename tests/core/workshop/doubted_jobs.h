@@ -168,6 +168,7 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
            {"/correction/readings", {read(650, 40), nothing}}}}},
         // A further run was emptied again.
         {"drilled-unread", {card, {{"/correction/drilled", Json::array({hole(40)})}}}},
+        {"other-plan", {card, {{"/correction/planned", {{"drilled", Json::array({hole(40)})}}}}}},
         {"incomplete-run",
          {card,
           {{"/correction/earlier_runs",
