@@ -42,7 +42,9 @@ class Planner {
           angle_(angle),
           cut_(cut),
           limits_(limits),
-          minimum_(smallest_hole(limits)) {}
+          minimum_(smallest_hole(limits)),
+          reach_(limits.maximum_angle -
+                 std::abs(std::remainder(angle - limits.heavy_spot.value_or(angle), 2.0 * pi))) {}
 
     double deepest(double diameter) const { return deepest_hole(diameter, cut_, limits_); }
 
@@ -142,7 +144,8 @@ class Planner {
         }
         double offset = half.value_or(0.0);
         if (n % 2 == 1) {
-            if (!may_lie(angle_, diameter, depth) || clear_of_taken(0.0, offset) != 0.0) {
+            if (reach_ < 0.0 || !may_lie(angle_, diameter, depth) ||
+                clear_of_taken(0.0, offset) != 0.0) {
                 return false;
             }
             visit(0.0);
@@ -150,8 +153,7 @@ class Planner {
         }
         for (int pair = 0; pair < n / 2; ++pair) {
             const auto clear = clear_of_taken(offset, *half);
-            if (!clear || *clear > limits_.maximum_angle ||
-                !may_lie(angle_ - *clear, diameter, depth) ||
+            if (!clear || *clear > reach_ || !may_lie(angle_ - *clear, diameter, depth) ||
                 !may_lie(angle_ + *clear, diameter, depth)) {
                 return false;
             }
@@ -208,6 +210,7 @@ class Planner {
     const Cut& cut_;
     const HoleLimits& limits_;
     double minimum_;  ///< depth of a hole, m
+    double reach_;    ///< from the middle to the last hole, rad
 };
 
 }  // namespace
@@ -366,6 +369,8 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
     const double inwards = before <= behind ? 1.0 : -1.0;
     const double away = is_inside ? 0.0 : std::min(before, behind);
     constexpr double step = 1.0 * degree;
+    HoleLimits about = limits;
+    about.heavy_spot = limits.heavy_spot.value_or(angle);
     for (double apart = away; apart < 0.5 * pi; apart += step) {
         const double across = target * std::sin(apart);
         const bool is_enough = across < tolerance;
@@ -376,7 +381,7 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
                 return best;
             }
             HolePlan plan = plan_holes(target * std::cos(apart), turn_of(angle + side * apart), cut,
-                                       diameters, limits, along);
+                                       diameters, about, along);
             const double left = std::hypot(across, plan.left);
             if (!plan.holes.empty() && left < best.left) {
                 best = {std::move(plan.holes), left,

@@ -74,11 +74,12 @@ struct HoleLimits {
     double depth_step;     ///< m; 0: depths are not rounded
     double minimum_wall;   ///< m
     int maximum_holes;
-    double maximum_angle;  ///< from the middle to the last hole, rad
+    double maximum_angle;  ///< from the heavy spot to a new hole, rad
     /// The sector that may be drilled, from and to, rad: new holes are wholly inside.
     std::optional<std::pair<double, double>> sector;
-    std::vector<Taken> taken{};   ///< of the holes of earlier runs
-    double smallest_depth = 0.0;  ///< m
+    std::vector<Taken> taken{};          ///< of the holes of earlier runs
+    double smallest_depth = 0.0;         ///< m
+    std::optional<double> heavy_spot{};  ///< rad; empty: where the holes are to take off
 
     /// Whether the middle of a hole may be there.
     bool allows(double angle) const;

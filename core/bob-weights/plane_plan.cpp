@@ -158,7 +158,9 @@ class PlanePlanner {
             return {{deeper.holes, {}}, Shortfall::none};
         }
         const HoleLimits limits = beside_all();
+        // What the deepened holes leave is elsewhere, the heavy spot is not.
         HoleLimits beside = limits;
+        beside.heavy_spot = std::arg(unbalance);
         for (const Hole& hole : deeper.holes) {
             take(hole, cut_, beside);
         }
@@ -288,7 +290,8 @@ class PlanePlanner {
     }
 
     /// Slugs opposite what the holes leave.
-    void press_slugs(Vector unbalance, Planned& planned, const HoleLimits& limits) const {
+    void press_slugs(Vector unbalance, Planned& planned, HoleLimits limits) const {
+        limits.heavy_spot.reset();  // a slug is opposite
         const Vector rest = unbalance + effect_of(planned.metal);
         const double target = std::abs(rest);
         if (!has_slugs_ || target <= std::max(tolerance_, 0.0)) {

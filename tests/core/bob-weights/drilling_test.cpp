@@ -322,6 +322,9 @@ TEST(Plan, KeepsWholeHolesInAnySector) {
                 const double place = turn_of(hole.angle - from);
                 EXPECT_GE(place, half) << i;
                 EXPECT_LE(place, width - half) << i;
+                EXPECT_LE(std::abs(std::remainder(hole.angle - angle, 2.0 * pi)),
+                          limits.maximum_angle + 1e-12)
+                    << i;
                 ++drilled;
             }
             EXPECT_LE(plan.left, target * (1.0 + 1e-12)) << i;
@@ -333,6 +336,7 @@ TEST(Plan, KeepsWholeHolesInAnySector) {
 
 TEST(Plan, BesideTheSectorLeavesMinimum) {
     HoleLimits limits = usual;
+    limits.maximum_angle = 85 * degree;
     limits.sector = {70 * degree, 140 * degree};
     for (const double angle : {20.0, 55.0, 69.0, 141.0, 170.0, 200.0}) {
         for (const double target : {600.0, 2000.0, 4000.0}) {
@@ -368,6 +372,9 @@ TEST(Plan, BesideTheSectorLeavesMinimum) {
             .holes.empty();
     };
     EXPECT_TRUE(none_for(250) && none_for(340)) << "a quarter turn away or more";
+    EXPECT_FALSE(none_for(200));
+    limits.maximum_angle = usual.maximum_angle;
+    EXPECT_TRUE(none_for(200)) << "farther from the heavy spot than the limit";
     // A hole that is there at the limit: beside it.
     limits.taken = {{70 * degree, 0.1}};
     EXPECT_GT(plan_beside_sector(600 * gram_mm, 69 * degree, rim, drills, limits, 300 * gram_mm)

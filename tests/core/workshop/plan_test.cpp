@@ -312,6 +312,52 @@ TEST(Plan, LooksFurtherWhereTheStepOfTheDepthsLeavesMoreThanTheLimit) {
     }
 }
 
+TEST(Plan, PutsNoHoleFartherFromTheHeavySpotThanTheLimit) {
+    // Older holes push the new ones aside: the limit is not about the middle of those.
+    Json input = card();
+    input["tolerance"] = {{"g_mm", 0}};
+    Json& correction = input["correction"];
+    correction["planes"][1] = {{"position_mm", 480}, {"radius_mm", 65}};
+    correction["drill"] = {{"diameters_mm", {8, 12}},
+                           {"maximum_depth_mm", 15},
+                           {"maximum_holes", 5},
+                           {"maximum_angle_deg", 60}};
+    Json& reading = correction["readings"][1];
+    correction["earlier_runs"] = parse_json(R"([{"drilled": [
+        {"plane": "rear", "diameter_mm": 12, "depth_mm": 15, "angle_deg": 11.1},
+        {"plane": "rear", "diameter_mm": 12, "depth_mm": 15, "angle_deg": 207.0},
+        {"plane": "rear", "diameter_mm": 12, "depth_mm": 15, "angle_deg": 223.0},
+        {"plane": "rear", "diameter_mm": 10, "depth_mm": 15, "angle_deg": 238.9}]}])");
+    const auto holes = [&] {
+        const Json plane = at(solved(input), "/correction/planes/1");
+        EXPECT_LE(number(plane, "/remaining_g_mm"), number(reading, "/unbalance_g_mm"));
+        for (const Json& hole : plane.at("holes")) {
+            const double apart =
+                std::remainder(number(hole, "/angle_deg") - number(reading, "/angle_deg"), 360.0);
+            const double most = number(correction, "/drill/maximum_angle_deg");
+            EXPECT_LE(std::abs(apart), most + 1e-9) << input.dump() << plane.dump(1);
+        }
+        return plane.at("holes").size();
+    };
+    reading = {{"unbalance_g_mm", 1459.7}, {"angle_deg", 197.1}};
+    EXPECT_GT(holes(), 0U);
+    std::mt19937 generator(3);
+    const auto any = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(generator);
+    };
+    std::size_t drilled = 0;
+    for (int i = 0; i < 200; ++i) {
+        reading = {{"unbalance_g_mm", any(50, 3000)}, {"angle_deg", any(90, 270)}};
+        correction["drill"]["maximum_angle_deg"] = any(10, 85);
+        for (Json& hole : correction["earlier_runs"][0]["drilled"]) {
+            hole["angle_deg"] = number(reading, "/angle_deg") + any(-90, 90);
+            hole["depth_mm"] = any(5, 15);
+        }
+        drilled += holes();
+    }
+    EXPECT_GT(drilled, 300U);
+}
+
 TEST(Plan, CountsWhatWasReallyDrilled) {
     Json input = second_run();
     Json& hole = input["correction"]["earlier_runs"][0]["drilled"][0];
