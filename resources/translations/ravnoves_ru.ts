@@ -309,6 +309,10 @@
         <translation>Углы — против часовой стрелки, если смотреть спереди.</translation>
     </message>
     <message>
+        <source>Drill radially from the rim, towards the axis.</source>
+        <translation>Сверлите радиально от обода, к оси.</translation>
+    </message>
+    <message>
         <source>Hole angles are where to drill: opposite the light spot that the machine shows.</source>
         <translation>Углы отверстий — те, под которыми сверлят: напротив лёгкого места, которое показывает станок.</translation>
     </message>

@@ -55,12 +55,16 @@ CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
     number("/correction/slug/diameter_mm")->setObjectName(QStringLiteral("slug_diameter_mm"));
     NumberField* density = number("/correction/slug/density_kg_m3");
     density->setObjectName(QStringLiteral("slug_density_kg_m3"));
-    follow([this, density, needed = density->placeholderText()] {
+    const auto hasSlugs = [this] {
         const auto& correction = model_->input().correction;
-        const bool hasSlugs = correction && correction->slug && correction->slug->diameter;
-        density->setPlaceholderText(hasSlugs ? needed : QStringLiteral("–"));
+        return correction && correction->slug && correction->slug->diameter;
+    };
+    follow([hasSlugs, density, needed = density->placeholderText()] {
+        density->setPlaceholderText(hasSlugs() ? needed : QStringLiteral("–"));
     });
-    choice("/correction/slug/direction")->setObjectName(QStringLiteral("slug_direction"));
+    QComboBox* direction = choice("/correction/slug/direction");
+    direction->setObjectName(QStringLiteral("slug_direction"));
+    enableWhile(direction, hasSlugs);
     finish();
 }
 

@@ -62,6 +62,7 @@ TEST_F(CardJobTest, TheEngineBringsItsFactor) {
 }
 
 TEST_F(ReadJobTest, ASlugIsWholeOnTheCardWithItsMass) {
+    EXPECT_FALSE(find<QComboBox>("slug_direction")->isEnabled()) << "no slugs";
     // Where no hole has a place.
     fill({{"from_1", "180"},
           {"to_1", "300"},
@@ -69,6 +70,7 @@ TEST_F(ReadJobTest, ASlugIsWholeOnTheCardWithItsMass) {
           {"slug_density_kg_m3", "17500"}});
     const auto& plane = (*model->solution().correction)[0];
     ASSERT_EQ(plane.slugs.size(), 1u);
+    EXPECT_TRUE(find<QComboBox>("slug_direction")->isEnabled());
     const auto plain = [](QString text) { return text.replace(QChar(0x00A0), u' '); };
     // Its hole is drilled a wall and half its diameter below the rim.
     const QString name = u"slug ⌀ 20.25 mm, "_s +
@@ -1610,8 +1612,10 @@ TEST_F(JobPageTest, ARotorStaysInKilogramsAndTheCardHasTheSplit) {
 
 TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     const double heavy = (*model->solution().correction)[0].holes.at(0).angle;
-    EXPECT_TRUE(has(label("convention"), u"at the heavy spot"_s));
-    EXPECT_TRUE(hasAll(cardText(), {u"at the heavy spot"_s, u"0°: …"_s})) << "to be written";
+    EXPECT_TRUE(hasAll(label("convention"), {u"at the heavy spot"_s, u"radially from the rim"_s}));
+    EXPECT_TRUE(
+        hasAll(cardText(), {u"at the heavy spot"_s, u"radially from the rim"_s, u"0°: …"_s}))
+        << "to be written";
     keys("shows", {Qt::Key_Down});
     EXPECT_EQ(model->input().machine.shows, workshop::Machine::Shows::light);
     EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, heavy + pi, 1e-9);

@@ -669,6 +669,7 @@ QString WorkshopModel::machineText(const Words& words) const {
         said << words.translate("BobWeights", "0°: %1.")
                     .arg(QString::fromStdString(machine.zero).simplified());
     }
+    said << words.translate("BobWeights", "Drill radially from the rim, towards the axis.");
     const bool showsLight = machine.shows == workshop::Machine::Shows::light;
     const bool takesSlugs = solution().correction && hasSlugs(*solution().correction);
     said << (takesSlugs && showsLight
