@@ -301,6 +301,14 @@
         <translation>Прежние отверстия</translation>
     </message>
     <message>
+        <source>After “Before”</source>
+        <translation>После «Исходно»</translation>
+    </message>
+    <message>
+        <source>After Run %1</source>
+        <translation>После пуска %1</translation>
+    </message>
+    <message>
         <source>Angles are clockwise, seen from the front.</source>
         <translation>Углы — по часовой стрелке, если смотреть спереди.</translation>
     </message>

@@ -1354,7 +1354,7 @@ TEST_F(ReadJobTest, WhatIsDrilledStaysInSight) {
     EXPECT_TRUE(shown().isEmpty());
     QStringList planned;
     for (const ResultRow& row : model->holeResults().rows) {
-        planned << u"Before | "_s + row.texts().join(u" | "_s);
+        planned << u"After “Before” | "_s + row.texts().join(u" | "_s);
     }
     ASSERT_EQ(planned.size(), 2);
     type("run_1_unbalance_1", u"900"_s);
@@ -1408,7 +1408,7 @@ TEST_F(ReadJobTest, WhatIsDrilledStaysInSight) {
     typeRun(2, {u"1"_s, u"10"_s, u"1"_s, u"10"_s});
     ASSERT_TRUE(shown().size() > 2);
     EXPECT_EQ(shown().mid(0, 2), planned);
-    EXPECT_TRUE(shown().at(2).startsWith(u"Run 1 | Front"_s));
+    EXPECT_TRUE(shown().at(2).startsWith(u"After Run 1 | Front"_s));
     EXPECT_TRUE(card().contains(u"Already drilled\n"_s));
 }
 

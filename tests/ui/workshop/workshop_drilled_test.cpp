@@ -280,18 +280,18 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
 
 TEST_F(DrilledTest, HolesAreOfTheirRunAlsoWhereItsReadingsAreErased) {
     const auto holes = [&] { return model->drilledResults().rows.at(0).at(0).text; };
-    ASSERT_EQ(holes(), u"Before"_s);
+    ASSERT_EQ(holes(), u"After “Before”"_s);
     for (const char* reading : {"unbalance_1", "angle_1", "unbalance_2", "angle_2"}) {
         type(reading, {});
     }
     for (int time = 0; time < 2; ++time) {
-        EXPECT_EQ(holes(), u"Before"_s);
+        EXPECT_EQ(holes(), u"After “Before”"_s);
         EXPECT_EQ(model->newestRun(), 1U);
         EXPECT_TRUE(begins(label("verdict"), u"STOP. Before, Front plane: enter the unbalance."_s));
         model->loadInput(model->inputJson(), {});
     }
     model->editReading({}, 0, 0, false, 2500 * units::gram_mm);
-    EXPECT_EQ(holes(), u"Before"_s);
+    EXPECT_EQ(holes(), u"After “Before”"_s);
 }
 
 TEST_F(DrilledTest, HolesThatNoRunHasReadLeaveNoPlan) {

@@ -943,7 +943,9 @@ Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t
 
 QString WorkshopModel::drilledName(const Words& words, std::size_t run) const {
     return run < firstRun() ? words.translate("BobWeights", "Older holes")
-                            : runName(words, run - firstRun());
+           : run == firstRun()
+               ? words.translate("BobWeights", "After “Before”")
+               : words.translate("BobWeights", "After Run %1").arg(run - firstRun());
 }
 
 Results WorkshopModel::drilledResults(const Words& words) const {

@@ -269,7 +269,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// @param plane  its holes alone, without its name
     Results holeResults(const Words& words = {}, std::optional<std::size_t> plane = {}) const;
     Results drilledResults(const Words& words = {}) const;
-    /// A hole or slug of the record after a run: "Run 1: ⌀ 10 mm".
+    /// A hole or slug of the record after a run: "After Run 1: ⌀ 10 mm".
     QString drilledName(std::size_t run, const bob_weights::DrilledHole& hole) const;
     QString drilledName(const Words& words, std::size_t run) const;
     Results runResults() const;  ///< nothing where there is but one run
