@@ -126,11 +126,12 @@ inline constexpr Field reading_position{.key = "position_mm",
                                         .hint = Text::tr("Position of the reading."),
                                         .if_empty = Text::tr("in the correction plane"),
                                         .placeholder = Text::tr("the plane")};
-inline constexpr Field unbalance{.key = "unbalance_g_mm",
-                                 .range = Range::between(0, 1e9),
-                                 .label = Text::tr("Unbalance"),
-                                 .hint = Text::tr("Reading of the machine."),
-                                 .placeholder = Text::tr("required")};
+inline constexpr Field unbalance{
+    .key = "unbalance_g_mm",
+    .range = Range::between(0, 1e9),
+    .label = Text::tr("Unbalance"),
+    .hint = Text::tr("Reading of the machine. It has no sign: turn the angle by 180° instead."),
+    .placeholder = Text::tr("required")};
 inline constexpr Field angle{
     .key = "angle_deg",
     .range = Range::between(-360, 360),

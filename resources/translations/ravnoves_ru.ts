@@ -3637,8 +3637,8 @@
         <translation>Дисбаланс</translation>
     </message>
     <message>
-        <source>Reading of the machine.</source>
-        <translation>Показание станка.</translation>
+        <source>Reading of the machine. It has no sign: turn the angle by 180° instead.</source>
+        <translation>Показание станка. Оно без знака: вместо этого поверните угол на 180°.</translation>
     </message>
     <message>
         <source>Heavy spot</source>
