@@ -46,7 +46,7 @@ struct InputNumber {
 };
 
 /// The numbers of the present input that may take any value, in the order of the case file, each
-/// object's own defaults behind what it gives; long lists are left out, and Field::is_setting.
+/// object's own defaults behind its numbers; long lists are left out, and Field::is_setting.
 std::vector<InputNumber> inputNumbers(const SceneModel& model);
 
 }  // namespace ravnoves

@@ -649,9 +649,9 @@ TEST_F(ReadJobTest, APassBesideAWarningSaysSoOnPageCardAndInTheJournal) {
 }
 
 TEST_F(ReadJobTest, APassWithoutItsLastAngleSaysSoOnPageCardAndInTheJournal) {
-    limitTo(3000);
     type("engine_number", u"53-1"_s);
     typeRun(1, {u"60"_s, u"100"_s, u"150"_s});
+    limitTo(3000);
     const QString missing = u"Run 1, Rear plane: enter the angle."_s;
     const QString said = u"PASS, but see the warnings"_s;
     EXPECT_EQ(label("troubles").count(missing), 1) << qPrintable(label("troubles"));

@@ -152,7 +152,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Declares the newest invalid readings valid for the present crankshaft and bob weight, and
     /// with them those read together with them.
     void confirmReadings();
-    /// The shop has the present plan on paper or in the journal: what is drilled is recorded by it,
+    /// The shop has the present plan on paper or in the journal: its holes are recorded as drilled,
     /// whatever is entered before the next run. A job put aside keeps the plan that it has.
     void keepPlan(bool isPrinted);
     /// Nothing was drilled by the plan that was kept.
