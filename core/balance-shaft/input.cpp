@@ -6,6 +6,7 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
+#include "case-file/decimal.h"
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
@@ -21,7 +22,7 @@ std::string pointer(const Field& field, const std::string& parent = "/input") {
 }
 
 Number shown(const Field& field, double si) {
-    return {from_si(field, si), field.unit, 12, false, true};
+    return {rounded_to_digits(from_si(field, si), 12), field.unit};
 }
 
 Number shown_bound(const Field& field, double limit, double found) {

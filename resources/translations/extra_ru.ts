@@ -412,6 +412,10 @@
         <translation>просверлено</translation>
     </message>
     <message>
+        <source>planned</source>
+        <translation>план</translation>
+    </message>
+    <message>
         <source>drilled by</source>
         <translation>просверлено по показаниям</translation>
     </message>
