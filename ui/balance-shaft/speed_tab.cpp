@@ -1,6 +1,5 @@
 #include <QCoreApplication>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QPushButton>
 #include <QToolTip>
 #include <QVBoxLayout>
