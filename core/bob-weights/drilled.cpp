@@ -106,13 +106,15 @@ bool is_other_plan(const Correction& correction, const Result& result) {
     if (!correction.planned.drilled || correction.record.is_drilled() || !now) {
         return false;
     }
-    constexpr double rounding = 1e-7;  // m, rad
+    // As the card shows them.
+    constexpr double length = 0.05 * units::mm;
+    constexpr double angle = 0.05 * degree;
     return !std::ranges::equal(
         *correction.planned.drilled, *now, [](const DrilledHole& a, const DrilledHole& b) {
             return a.plane == b.plane && a.is_slug() == b.is_slug() && a.direction == b.direction &&
-                   std::abs(a.diameter - b.diameter) < rounding &&
-                   std::abs(a.depth - b.depth) < rounding &&
-                   std::abs(std::remainder(a.angle - b.angle, two_pi)) < rounding;
+                   std::abs(a.diameter - b.diameter) < length &&
+                   std::abs(a.depth - b.depth) < length &&
+                   std::abs(std::remainder(a.angle - b.angle, two_pi)) < angle;
         });
 }
 

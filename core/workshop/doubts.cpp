@@ -528,12 +528,19 @@ void drilled_unread(DoubtSearch& job) {
 
 /// The shop drills by the card: its holes may be there, and the present plan goes without them.
 void other_plan(DoubtSearch& job) {
-    if (job.input.correction && bob_weights::is_other_plan(*job.input.correction, job.shaft)) {
-        job.say(
-            Text::tr("The plan has changed since it was printed or put aside. If its holes "
-                     "were drilled, enter the readings of the next run; if none was, use the "
-                     "present plan."));
+    if (!job.input.correction || !bob_weights::is_other_plan(*job.input.correction, job.shaft)) {
+        return;
     }
+    Message holes;
+    for (const bob_weights::DrilledHole& hole : *job.input.correction->planned.drilled) {
+        add_to(holes,
+               {Text{"%1 ⌀ %2 × %3 ∠ %4"}, job.plane_name(static_cast<std::size_t>(hole.plane)),
+                millimetres(hole.diameter), millimetres(hole.depth), in_degrees(hole.angle)});
+    }
+    job.say(Text::tr("The plan has changed since it was printed or put aside: %1. If these holes "
+                     "were drilled, enter the readings of the next run; if none was, use the "
+                     "present plan."),
+            holes);
 }
 
 /// A hole that was deepened to less than its depth before took off nothing that is known.

@@ -10105,8 +10105,8 @@
         <translation>Отверстия и вставки этого плана.</translation>
     </message>
     <message>
-        <source>The plan has changed since it was printed or put aside. If its holes were drilled, enter the readings of the next run; if none was, use the present plan.</source>
-        <translation>План изменился после печати или откладывания. Если его отверстия просверлены, введите показания следующего пуска; если ни одного — примите текущий план.</translation>
+        <source>The plan has changed since it was printed or put aside: %1. If these holes were drilled, enter the readings of the next run; if none was, use the present plan.</source>
+        <translation>План изменился после печати или откладывания: %1. Если эти отверстия просверлены, введите показания следующего пуска; если ни одного — примите текущий план.</translation>
     </message>
 </context>
 <context>

@@ -218,7 +218,14 @@ class CaseModel : public SceneModel {
         State before = state();
         take(after, std::move(solved));
         history()->push(new InputCommand<State>(name, std::move(before), std::move(after), step,
-                                                [this](const State& state) { take(state, {}); }));
+                                                [this](const State& state) { goTo(state); }));
+    }
+    /// Undone or redone.
+    void goTo(State state) {
+        if constexpr (requires { scene_.keepBeside(state.input, input_); }) {
+            scene_.keepBeside(state.input, input_);  // what has left the program is not undone
+        }
+        take(state, {});
     }
     void take(const State& state, std::optional<Solved> solved) {
         if (!solved && !(state.input == input_)) {

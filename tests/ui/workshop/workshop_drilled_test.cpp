@@ -83,7 +83,13 @@ TEST_F(PlugsPageTest, WhatIsPrintedOrPutAsideIsDrilledWhateverThePlanIsThen) {
         type("diameters_mm", u"8"_s);  // the drill broke at the last hole
         EXPECT_TRUE(has(model->stopText(), u"The plan has changed"_s));
         EXPECT_TRUE(model->withheld().holes);
+        EXPECT_TRUE(has(model->stopText(), u"Front plane ⌀ "_s)) << "which holes";
         keep();  // of a plan that is not shown nothing is kept
+        model->undo();
+        EXPECT_EQ(model->stopText(), QString());
+        model->undo();  // what is on paper is not undone
+        type("diameters_mm", u"8"_s);
+        EXPECT_TRUE(has(model->stopText(), u"The plan has changed"_s));
         typeRun(1, {u"300"_s, u"40"_s, u"95"_s, u"70"_s});
         const auto& recorded = *model->input().correction->earlier_runs.at(0).drilled;
         ASSERT_EQ(recorded.size(), card.size());

@@ -188,6 +188,14 @@ void noteCorrected(DrillingRecord& record, const std::vector<Reading>& before,
 
 }  // namespace
 
+void WorkshopScene::keepBeside(Job& undone, const Job& present) {
+    if (undone.correction && present.correction && present.correction->planned.drilled &&
+        hasReading(*undone.correction) &&
+        undone.correction->earlier_runs.size() == present.correction->earlier_runs.size()) {
+        undone.correction->planned = present.correction->planned;
+    }
+}
+
 Job WorkshopScene::defaultInput() const {
     Job input;
     input.engine.bank_angle = 90.0 * degree;

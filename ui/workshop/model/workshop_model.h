@@ -46,6 +46,8 @@ struct WorkshopScene {
     static QString defaultTitle() { return {}; }
     /// The title is the engine's; its job and weights are another thing.
     static bool isSameEngine(const Input& input, const Input& named);
+    /// The plan that was printed or put aside stays where a step of the same run is undone.
+    static void keepBeside(Input& undone, const Input& present);
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     /// Rejects nothing: the model names missing and wrong values.
