@@ -247,8 +247,6 @@ MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent)
         }
     });
     connect(model, &SceneModel::changed, this, &MethodPlots::follow);
-    connect(model, &MethodsModel::sweepChanged, this, &MethodPlots::follow);
-    connect(model, &MethodsModel::valueChanged, this, &MethodPlots::follow);
     connect(model, &MethodsModel::shownMethodChanged, this, &MethodPlots::follow);
     connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::follow);
     follow();
