@@ -58,7 +58,6 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
         setFaded(map_->isStale());
     });
     connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
-    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(model_->crank(), &CrankAngle::changed, this, &ShaftMapPlot::overCurvesChanged);
     setFaded(map_->isStale());
     showField();

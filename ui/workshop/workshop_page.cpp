@@ -640,10 +640,12 @@ void WorkshopPage::bringJob(qint64 id, bool isCopy) {
     }
 }
 
-void WorkshopPage::paintCard(QPrinter* printer) {
-    if (!printPaper(card(), *printer)) {
-        QMessageBox::warning(this, tr("Job card"), tr("The printer cannot be used."));
+bool WorkshopPage::paintCard(QPrinter* printer) {
+    if (printPaper(card(), *printer)) {
+        return true;
     }
+    QMessageBox::warning(this, tr("Job card"), tr("The printer cannot be used."));
+    return false;
 }
 
 void WorkshopPage::previewCard() {
@@ -652,9 +654,11 @@ void WorkshopPage::previewCard() {
     QPrintPreviewDialog dialog(&printer, this);
     dialog.setWindowTitle(tr("Job card"));
     dialog.resize(900, 760);
-    connect(&dialog, &QPrintPreviewDialog::paintRequested, this, &WorkshopPage::paintCard);
-    if (dialog.exec() == QDialog::Accepted) {
-        model_->keepPlan(true);
+    bool isPainted = false;
+    connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
+            [&](QPrinter* each) { isPainted = paintCard(each); });
+    if (dialog.exec() == QDialog::Accepted && isPainted) {
+        model_->keepPlan();
     }
     keepCardPaper(printer);
 }
@@ -666,8 +670,9 @@ void WorkshopPage::printCard() {
     dialog.setOption(QPrintDialog::PrintPageRange, false);  // the card is printed whole
     if (dialog.exec() == QDialog::Accepted) {
         keepCardPaper(printer);
-        paintCard(&printer);
-        model_->keepPlan(true);
+        if (paintCard(&printer)) {
+            model_->keepPlan();
+        }
     }
 }
 
@@ -675,7 +680,7 @@ QString WorkshopPage::writeCard(const QString& file) {
     const QString why =
         writeFile(file, [this] { return paperAsPdf(card(), cardPaper()).toStdString(); });
     if (why.isEmpty()) {
-        model_->keepPlan(true);
+        model_->keepPlan();
     }
     return why;
 }

@@ -103,7 +103,8 @@ class WorkshopPage : public ScenePage {
     void printCard();
     void previewCard();
     void exportCard();
-    void paintCard(QPrinter* printer);
+    /// @return false where the printer failed, which it says
+    bool paintCard(QPrinter* printer);
 
     WorkshopModel* model_;
     VerdictLine* verdict_ = nullptr;

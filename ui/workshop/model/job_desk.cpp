@@ -257,7 +257,7 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     if (QString why = model_->keepForSaving(); !why.isEmpty()) {
         return why;
     }
-    model_->keepPlan(false);
+    model_->keepPlan();
     JournalJob job = model_->journalEntry();
     job.id = jobId_;
     job.revision = jobRevision_;

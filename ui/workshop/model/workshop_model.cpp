@@ -655,21 +655,15 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
     });
 }
 
-void WorkshopModel::keepPlan(bool isPrinted) {
-    const auto& correction = input().correction;
+void WorkshopModel::keepPlan() {
     auto plan = planned_holes(solution());
-    if (!stopText().isEmpty() || !isRunRead() || !plan ||
-        (!isPrinted && correction->planned.drilled) ||
-        (plan->empty() && !correction->planned.drilled) ||
-        (correction->planned.drilled && !is_other_plan(*correction, solution()))) {
+    // A kept one that is not the present one is a STOP.
+    if (!stopText().isEmpty() || !isRunRead() || !plan || plan->empty() ||
+        input().correction->planned.drilled) {
         return;
     }
-    editCorrection(tr("Plan printed or put aside"), [&](Correction& next) {
-        next.planned = {};
-        if (!plan->empty()) {
-            next.planned.drilled = std::move(plan);
-        }
-    });
+    editCorrection(tr("Plan printed or put aside"),
+                   [&](Correction& next) { next.planned.drilled = std::move(plan); });
 }
 
 void WorkshopModel::usePresentPlan() {

@@ -155,8 +155,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// with them those read together with them.
     void confirmReadings();
     /// The shop has the present plan on paper or in the journal: its holes are recorded as drilled,
-    /// whatever is entered before the next run. A job put aside keeps the plan that it has.
-    void keepPlan(bool isPrinted);
+    /// whatever is entered before the next run.
+    void keepPlan();
     /// Nothing was drilled by the plan that was kept.
     void usePresentPlan();
     /// Why they are invalid; empty while all are valid.
